@@ -1,0 +1,40 @@
+#pragma once
+
+#include <mrpt/maps/COccupancyGridMap2D.h>
+
+#include "structure_from_wifi/config.h"
+#include "structure_from_wifi/grid_geometry.h"
+
+namespace sfw {
+
+/// What is believed of each cell, kept in MRPT's occupancy grid. Immutable once made.
+///
+/// MRPT stores log-odds of being FREE in 1/16 steps of an int8, so probabilities are rounded to
+/// that scale and end at 0.00036 and 0.99964.
+class BeliefMap {
+ public:
+  /// All unknown.
+  /// @throw std::invalid_argument if MRPT cannot hold the geometry.
+  BeliefMap(const GridGeometry& geometry, const Config::Belief& config);
+
+  /// @param occupied probability of being occupied; a value that is not in [0, 1] counts as 0.5
+  BeliefMap(const Grid<float>& occupied, const Config::Belief& config);
+
+  const GridGeometry& geometry() const { return geometry_; }
+  const mrpt::maps::COccupancyGridMap2D& grid() const { return grid_; }
+
+  /// Probability that a contained cell is occupied.
+  float occupied(Cell c) const;
+
+  /// True if anything at all is known of a contained cell.
+  bool known(Cell c) const;
+
+  CellState state(Cell c) const;
+
+ private:
+  GridGeometry geometry_;
+  Config::Belief config_;
+  mrpt::maps::COccupancyGridMap2D grid_;
+};
+
+}  // namespace sfw

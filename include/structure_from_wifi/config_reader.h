@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "structure_from_wifi/config.h"
+#include "structure_from_wifi/types.h"
+
+namespace YAML {
+class Node;
+}
+
+namespace sfw {
+
+/// A configuration and what its author should hear although it can be used.
+struct ConfigReading {
+  Config config;
+  std::vector<std::string> warnings;  ///< unknown keys, each with the nearest known one
+};
+
+/// Reads settings over the defaults: nested maps whose paths are the names of forEachSetting.
+/// The key `access_points` is left to readAccessPoints.
+/// @throw InputError naming every setting of the wrong type and every problem of validate().
+ConfigReading configFromYaml(const YAML::Node& node);
+
+/// As configFromYaml, from a file.
+/// @throw InputError naming the file, also if it cannot be read or parsed.
+ConfigReading readConfig(const std::string& file);
+
+/// Reads `[{bssid, x, y, z?, name?, tx_dbm?}]`.
+/// @throw InputError if the table is missing or empty, or naming every unusable or double entry.
+std::vector<AccessPoint> accessPointsFromYaml(const YAML::Node& table);
+
+/// As accessPointsFromYaml, from a file whose key `access_points` holds the table.
+/// @throw InputError naming the file, also if it cannot be read or parsed.
+std::vector<AccessPoint> readAccessPoints(const std::string& file);
+
+}  // namespace sfw

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "structure_from_wifi/grid_geometry.h"
+#include "structure_from_wifi/types.h"
+
+namespace sfw {
+
+/// Edge of the cells on which maps are compared, whatever their own resolution [m].
+constexpr double kEvaluationResolution = 0.05;
+
+/// How well the cells called free match the truth's free region.
+struct FreeFigures {
+  double precision = 0.0;           ///< share of them in the region; 0 if there are none
+  double tolerant_precision = 0.0;  ///< share of them within 0.1 m of the region
+  double recall = 0.0;              ///< share of the region that is called free
+  double iou = 0.0;                 ///< intersection over union with the region
+  double beyond_m2 = 0.0;           ///< area in the region and farther than 0.3 m from the path
+  double beyond_precision = 0.0;    ///< precision of those farther than 0.3 m from the path
+};
+
+/// How well the cells called occupied match the truth's, two cells matching if their centres lie
+/// within a tolerance of each other.
+struct WallFigures {
+  double precision = 0.0;                 ///< share near any occupied cell; 0 if there are none
+  std::optional<double> recall;           ///< share of the walls that are near one
+  std::optional<double> f1;               ///< harmonic mean of the two
+  std::optional<double> observed_recall;  ///< recall of the observed walls
+};
+
+/// How well the probabilities of cells tell walls from free space.
+struct ProbabilityFigures {
+  std::optional<double> auc;       ///< chance that a wall is rated above a free cell; ties half
+  std::optional<double> brier;     ///< mean squared error
+  std::optional<double> log_loss;  ///< mean [nat]; probabilities end half an 8-bit step from 0, 1
+  std::size_t cells = 0;           ///< that were compared
+};
+
+/// All figures of one map. A figure is absent where the truth or the input gives it no meaning.
+struct MapFigures {
+  FreeFigures free;
+  std::optional<WallFigures> wall_one_cell;   ///< tolerance 0.05 m
+  std::optional<WallFigures> wall_two_cells;  ///< tolerance 0.1 m
+  std::optional<double> wall_in_free;         ///< share of cells called occupied that lie in the
+                                              ///< free region, over 0.1 m from occupied cells
+  std::optional<double> leak;                 ///< share of the walls that are called free
+  std::optional<double> observed_leak;        ///< share of the observed walls called free
+  std::optional<ProbabilityFigures> probability;
+};
+
+/// A map's figures beside those of a map made without any radio.
+struct Evaluation {
+  MapFigures map;
+  MapFigures path_only;  ///< free figures and leaks alone: it has no walls and no probabilities
+  double free_m2 = 0.0;  ///< area of the truth's free region
+  std::size_t wall_cells = 0;
+  std::optional<std::size_t> observed_wall_cells;  ///< absent without access points
+};
+
+/// What is compared, and along which path it was mapped.
+struct EvaluationInput {
+  Grid<CellState> map;
+  Grid<CellState> truth;
+  std::vector<Position> path;                ///< antenna positions [m] in the order driven
+  std::vector<Position> access_points;       ///< [m]; may be empty
+  std::optional<Grid<float>> probabilities;  ///< of being occupied; not in [0, 1] counts as 0.5
+};
+
+/// Compares a map with the truth on cells of 0.05 m in the truth's frame.
+///
+/// Region: the truth's free cells that hang together over edges with those that most positions of
+/// the path lie on; repeated positions in a row count once, positions off the truth not at all.
+/// Walls: the truth's occupied cells within 2 cells of the region; observed if the straight line
+/// between some access point and some position crosses them.
+/// Where the truth knows over 90 % of its cells, cells called free at the others are left out.
+/// Probabilities are compared over the cells of region and walls that the map does not call
+/// unknown.
+/// The path-only map is the path (positions less than 1 m apart are joined) closed with a disc of
+/// 1.2 m, its holes filled, grown by 0.15 m.
+/// Limits are compared in metres in double arithmetic, where 3 and 6 cells of 0.05 m lie just
+/// above 0.15 and 0.3 m.
+///
+/// @throw std::invalid_argument if the path is empty or a position is not finite and below 1000 km.
+/// @throw InputError if the truth has no room for a cell or too much, or if the path never touches
+/// its free space.
+/// O(cells of the truth + positions x access points x cells on a ray).
+Evaluation evaluate(const EvaluationInput& input);
+
+}  // namespace sfw

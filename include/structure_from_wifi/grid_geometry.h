@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "structure_from_wifi/types.h"
+
+namespace sfw {
+
+/// Column and row of a cell; row 0 is the lowest y, as in nav_msgs/OccupancyGrid.
+struct Cell {
+  std::int64_t x = 0;
+  std::int64_t y = 0;
+
+  friend bool operator==(Cell a, Cell b) { return a.x == b.x && a.y == b.y; }
+  friend bool operator!=(Cell a, Cell b) { return !(a == b); }
+};
+
+/// Where a grid lies in the map frame and how fine it is. Immutable.
+///
+/// Cell (0, 0) has its lower left corner at origin(); a point on a cell's lower or left edge
+/// belongs to that cell (floor), so the far edges of the grid lie outside it.
+class GridGeometry {
+ public:
+  /// @param resolution_m  edge of a cell [m], finite and positive
+  /// @param origin        lower left corner [m], finite
+  /// @param width,height  cells, positive
+  /// @throw std::invalid_argument naming the parameter.
+  GridGeometry(double resolution_m, const Position& origin, std::int64_t width,
+               std::int64_t height);
+
+  /// The smallest grid around `box` whose edges are whole multiples of `step_m`.
+  ///
+  /// Steps are rounded to whole cells and counted from the map frame's origin, so the result
+  /// depends only on the box, grows rarely, and fits OctoMap's lattice.
+  /// @throw std::invalid_argument if an argument is not positive and finite, the box is empty or
+  /// not finite, or the grid would have more than `max_cells` cells.
+  static GridGeometry covering(const Box& box, double resolution_m, double step_m,
+                               std::int64_t max_cells);
+
+  double resolution() const { return resolution_m_; }
+  const Position& origin() const { return origin_; }
+  std::int64_t width() const { return width_; }
+  std::int64_t height() const { return height_; }
+  std::size_t size() const { return static_cast<std::size_t>(width_ * height_); }
+
+  bool contains(Cell c) const { return c.x >= 0 && c.y >= 0 && c.x < width_ && c.y < height_; }
+
+  /// Row-major position of a contained cell.
+  std::size_t index(Cell c) const { return static_cast<std::size_t>(c.y * width_ + c.x); }
+
+  /// The cell that holds a finite point; it may lie outside the grid.
+  Cell cellAt(const Position& point) const;
+
+  /// Centre of a cell [m].
+  Position centre(Cell c) const;
+
+  /// A finite point in units of cells from the origin.
+  Position toCells(const Position& point) const { return (point - origin_) / resolution_m_; }
+
+  /// The rectangle that the grid covers [m].
+  Box box() const;
+
+  friend bool operator==(const GridGeometry& a, const GridGeometry& b) {
+    return a.resolution_m_ == b.resolution_m_ && a.origin_ == b.origin_ && a.width_ == b.width_ &&
+           a.height_ == b.height_;
+  }
+  friend bool operator!=(const GridGeometry& a, const GridGeometry& b) { return !(a == b); }
+
+ private:
+  double resolution_m_;
+  Position origin_;
+  std::int64_t width_;
+  std::int64_t height_;
+};
+
+/// A value for every cell of a geometry, row-major from the lowest y.
+template <class T>
+struct Grid {
+  explicit Grid(const GridGeometry& g, const T& value = T()) : geometry(g), cells(g.size(), value) {}
+
+  T& operator[](Cell c) { return cells[geometry.index(c)]; }
+  const T& operator[](Cell c) const { return cells[geometry.index(c)]; }
+
+  GridGeometry geometry;
+  std::vector<T> cells;
+};
+
+/// What a map says of a cell.
+enum class CellState : std::uint8_t { kUnknown, kFree, kOccupied };
+
+}  // namespace sfw

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace sfw {
+
+/// Input that cannot be used. what() names the file, line or setting and says what to do; several
+/// problems stand one a line.
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace sfw

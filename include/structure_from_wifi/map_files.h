@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "structure_from_wifi/config.h"
+#include "structure_from_wifi/mapper.h"
+
+namespace sfw {
+
+/// map.pgm and map.yaml as map_server reads them: 254 free, 0 occupied, 205 unknown.
+std::string trinaryPgm(const BeliefMap& belief);
+/// Probability of being occupied: 255 (1 - p), 128 where nothing is known.
+std::string probabilityPgm(const BeliefMap& belief);
+std::string trinaryYaml(const GridGeometry& geometry);
+std::string probabilityYaml(const GridGeometry& geometry);
+
+/// A table that readReadings reads back to the same readings.
+std::string readingsCsv(const std::vector<Reading>& readings);
+
+/// A table that readAccessPoints reads back.
+std::string accessPointsYaml(const std::vector<AccessPointSummary>& access_points);
+
+/// Settings, access points with their thresholds, what was left out and why, and areas; no time of
+/// day, so that it repeats.
+std::string reportJson(const Snapshot& snapshot, const Config& config);
+
+/// Writes map.pgm, map.yaml, probability.pgm, probability.yaml, map.bt, map.ot, map.png and
+/// report.json into a directory that is made if missing. Each file appears whole or not at all.
+/// @throw std::system_error or std::invalid_argument naming the file and why.
+void writeMapFiles(const Snapshot& snapshot, const Config& config, const std::string& directory);
+
+/// Writes readings.csv and access_points.yaml: what `sfw map` needs to make the map again.
+/// @throw as writeMapFiles
+void writeRecording(const std::vector<Reading>& readings, const Snapshot& snapshot,
+                    const std::string& directory);
+
+}  // namespace sfw

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "structure_from_wifi/mapper.h"
+
+namespace sfw {
+
+/// Red, green and blue in [0, 1].
+using Colour = std::array<double, 3>;
+
+/// The colour of a wall count, as in the paper's figures: red 0, green 1, blue 2, yellow 3, then
+/// a fixed scale; grey for PathPose::kNothingHeard.
+Colour wallCountColour(int walls);
+
+/// A PNG for people: the known part of the map, the path coloured by wall count with its legend,
+/// the access points with their names, and a scale bar.
+/// @throw std::runtime_error if Cairo fails.
+std::string renderPicture(const Snapshot& snapshot);
+
+}  // namespace sfw

@@ -1,0 +1,121 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "structure_from_wifi/belief_map.h"
+#include "structure_from_wifi/config.h"
+#include "structure_from_wifi/inference.h"
+#include "structure_from_wifi/rssi.h"
+#include "structure_from_wifi/types.h"
+
+namespace sfw {
+
+/// What became of a reading, pose or contact.
+enum class Insertion {
+  kAccepted,
+  kPositionNotFinite,
+  kPositionTooFar,        ///< the map would pass map/max_cells
+  kRssiNotFinite,
+  kRssiOutOfRange,        ///< not in (-120, 0] dBm; positive values are often percent
+  kUnknownAccessPoint,    ///< not in the table: kept, but only its pose counts, as path
+  kTooManyReadings,       ///< map/max_readings
+};
+
+/// A short name for counters and messages.
+const char* toString(Insertion insertion);
+
+/// A pose of the path for display.
+struct PathPose {
+  std::int64_t stamp_ns = 0;
+  Position antenna_in_map = Position::Zero();  ///< [m]
+  int walls = kNothingHeard;  ///< fewest walls to any access point heard here
+
+  static constexpr int kNothingHeard = -1;
+};
+
+/// What the readings of one access point came to.
+struct AccessPointSummary {
+  AccessPoint access_point;
+  std::size_t readings = 0;
+  WallCountModel model;
+};
+
+/// What was given to a mapper and left out of the map.
+struct Rejections {
+  std::map<Insertion, std::size_t> count;
+  std::map<Bssid, std::size_t> unknown_access_points;  ///< readings of each; the first 1000 heard
+};
+
+/// A map with all that went into it. Immutable, shared between threads.
+struct Snapshot {
+  BeliefMap belief;
+  std::vector<PathPose> path;                       ///< in the order driven
+  std::vector<AccessPointSummary> access_points;    ///< in the order of the table
+  Rejections rejections;
+};
+
+/// From readings to the map: collects, then infers everything at once.
+///
+/// Of a scan that comes twice or names a radio twice, the strongest reading counts.
+/// The map is a function of the set of readings: order of arrival, repetition of a scan and the
+/// play rate of a bag do not matter. Positions are rounded to 0.1 mm and signals to 0.01 dB on
+/// the way in, so neither does the arithmetic by which a pose was computed.
+/// Not thread-safe; its owner serialises calls.
+class Mapper {
+ public:
+  /// @throw InputError if the configuration or the table of access points cannot be used.
+  Mapper(const Config& config, const std::vector<AccessPoint>& access_points);
+
+  /// O(log access points). Anything but kAccepted and kUnknownAccessPoint leaves the map as it was.
+  Insertion insert(const Reading& reading);
+  Insertion insert(const Contact& contact);
+
+  /// Forgets readings, path and contacts; the geometry stays.
+  void reset();
+
+  /// The grid that the next snapshot will have. Grows in steps, never shrinks.
+  const GridGeometry& geometry() const { return geometry_; }
+
+  /// Everything kept, once, by stamp and bssid: what a file needs to make the same map again.
+  std::vector<Reading> readings() const;
+
+  const Rejections& rejections() const { return rejections_; }
+
+  /// The map of everything inserted so far.
+  /// @param stop polled while inferring; nullptr is returned once it is true
+  std::shared_ptr<const Snapshot> infer(const std::atomic<bool>& stop) const;
+  std::shared_ptr<const Snapshot> infer() const;
+
+ private:
+  /// What is heard of one access point: poses in order and signal strengths beside them.
+  struct Series {
+    std::vector<PathPose> poses;
+    std::vector<double> rssi_dbm;
+  };
+
+  Insertion examined(const Reading& reading) const;
+  Insertion accept(const Reading& reading);
+
+  /// Grows the map, if need be, so that it holds a point with its margin.
+  Insertion makeRoomFor(const Position& point);
+
+  std::vector<Series> seriesOf(const std::vector<Reading>& readings) const;  // by access point
+  std::vector<double> filtered(const Series& series, const Position& access_point) const;
+  WallCountModel fitted(const std::vector<double>& rssi_dbm) const;
+
+  Config config_;
+  std::vector<AccessPoint> access_points_;
+  std::map<Bssid, std::size_t> index_of_;
+  Box extent_;
+  GridGeometry geometry_;
+  std::vector<Reading> readings_;
+  std::vector<Contact> contacts_;
+  Rejections rejections_;
+};
+
+}  // namespace sfw

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "structure_from_wifi/belief_map.h"
+#include "structure_from_wifi/config.h"
+
+namespace octomap {
+class OcTree;
+}
+
+namespace sfw {
+
+/// The map as voxels: occupied cells from the floor to octomap/wall_height, free cells from the
+/// floor to octomap/robot_height, nothing where the map is unknown.
+///
+/// Each voxel keeps its cell's probability. The tree is pruned; its resolution is the map's, whose
+/// origin lies on OctoMap's lattice by construction (GridGeometry::covering).
+/// @throw std::invalid_argument if the map reaches beyond OctoMap's +-32768 voxels.
+/// O(known cells x height).
+std::unique_ptr<octomap::OcTree> toOctomap(const BeliefMap& belief, const Config::Octomap& config);
+
+/// The tree as a .bt file holds it (occupied, free, unknown) and as an .ot file does (log-odds).
+std::string encodeBinaryFile(const octomap::OcTree& tree);
+std::string encodeFullFile(const octomap::OcTree& tree);
+
+/// The same without the file's header, as octomap_msgs/Octomap carries it.
+std::string encodeBinaryMessage(const octomap::OcTree& tree);
+std::string encodeFullMessage(const octomap::OcTree& tree);
+
+}  // namespace sfw

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "structure_from_wifi/types.h"
+
+namespace sfw {
+
+/// Rows of a file that were skipped for one reason.
+struct SkippedRows {
+  std::size_t count = 0;
+  std::string first;  ///< where and what the first one was: "line 7: rssi_dbm 'abc'"
+};
+
+/// The readings of a file and what was left out.
+struct ReadingFile {
+  std::vector<Reading> readings;
+  std::map<std::string, SkippedRows> skipped;  ///< by reason
+};
+
+/// Reads a CSV with the columns stamp, x, y, bssid, rssi_dbm in any order (seconds, metres, dBm;
+/// map frame); other columns are left unread.
+/// @throw InputError naming the file if it cannot be read, lacks a column (named) or has no row
+/// that can be used.
+ReadingFile readReadings(const std::string& file);
+
+/// Reads a CSV of places where the robot touched something, with the columns stamp, x, y.
+/// @throw InputError as readReadings, naming the line of any row that cannot be used.
+std::vector<Contact> readContacts(const std::string& file);
+
+/// Reads a CSV of way points with the columns x, y (metres, map frame), in the order to be driven.
+/// @throw InputError as readContacts.
+std::vector<Position> readWayPoints(const std::string& file);
+
+}  // namespace sfw

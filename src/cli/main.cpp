@@ -1,0 +1,29 @@
+#include <exception>
+#include <iostream>
+#include <new>
+
+#include "commands.h"
+
+int main(int argc, char** argv) {
+  CLI::App app{"Maps a building from odometry and WiFi signal strength.", "sfw"};
+  app.require_subcommand(1);
+  sfw::addMapCommand(app);
+  sfw::addEvaluateCommand(app);
+  try {
+    app.parse(argc, argv);
+    std::cout.flush();
+    if (!std::cout) {
+      std::cerr << "sfw: standard output cannot be written\n";
+      return 1;
+    }
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 1;
+  } catch (const std::bad_alloc&) {
+    std::cerr << "sfw: out of memory; raise map/resolution or map a smaller area\n";
+    return 1;
+  } catch (const std::exception& error) {
+    std::cerr << "sfw: " << error.what() << '\n';
+    return 1;
+  }
+  return 0;
+}

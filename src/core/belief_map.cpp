@@ -1,0 +1,57 @@
+#include "structure_from_wifi/belief_map.h"
+
+#include <stdexcept>
+
+namespace sfw {
+namespace {
+
+mrpt::maps::COccupancyGridMap2D emptyGrid(const GridGeometry& geometry) {
+  const Box box = geometry.box();
+  mrpt::maps::COccupancyGridMap2D grid(
+      static_cast<float>(box.min().x()), static_cast<float>(box.max().x()),
+      static_cast<float>(box.min().y()), static_cast<float>(box.max().y()),
+      static_cast<float>(geometry.resolution()));
+  // MRPT derives the size from extents in float; it must come out as ours.
+  if (grid.getSizeX() != geometry.width() || grid.getSizeY() != geometry.height()) {
+    throw std::invalid_argument("geometry is too large or too far from the origin for MRPT");
+  }
+  grid.fill(0.5F);
+  return grid;
+}
+
+}  // namespace
+
+BeliefMap::BeliefMap(const GridGeometry& geometry, const Config::Belief& config)
+    : geometry_(geometry), config_(config), grid_(emptyGrid(geometry)) {}
+
+BeliefMap::BeliefMap(const Grid<float>& occupied, const Config::Belief& config)
+    : BeliefMap(occupied.geometry, config) {
+  for (std::int64_t y = 0; y < geometry_.height(); ++y) {
+    auto* row = grid_.getRow(static_cast<int>(y));
+    for (std::int64_t x = 0; x < geometry_.width(); ++x) {
+      const float p = occupied[Cell{x, y}];
+      // MRPT reads outside its tables for anything else, NaN included.
+      const bool valid = p >= 0.0F && p <= 1.0F;
+      row[x] = mrpt::maps::COccupancyGridMap2D::p2l(valid ? 1.0F - p : 0.5F);
+    }
+  }
+}
+
+float BeliefMap::occupied(Cell c) const {
+  return 1.0F - grid_.getCell(static_cast<int>(c.x), static_cast<int>(c.y));
+}
+
+bool BeliefMap::known(Cell c) const { return grid_.getRow(static_cast<int>(c.y))[c.x] != 0; }
+
+CellState BeliefMap::state(Cell c) const {
+  if (!known(c)) {
+    return CellState::kUnknown;
+  }
+  const float p = occupied(c);
+  if (p < config_.free_threshold) {
+    return CellState::kFree;
+  }
+  return p > config_.occupied_threshold ? CellState::kOccupied : CellState::kUnknown;
+}
+
+}  // namespace sfw

@@ -1,0 +1,222 @@
+#include "structure_from_wifi/map_files.h"
+
+#include <octomap/OcTree.h>
+#include <yaml-cpp/yaml.h>
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "structure_from_wifi/atomic_file.h"
+#include "structure_from_wifi/map_picture.h"
+#include "structure_from_wifi/octomap_export.h"
+
+namespace sfw {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// An 8-bit PGM, top row first, of `pixel(cell)`.
+template <class Pixel>
+std::string encodePgm(const GridGeometry& geometry, Pixel&& pixel) {
+  std::string bytes = "P5\n" + std::to_string(geometry.width()) + " " +
+                      std::to_string(geometry.height()) + "\n255\n";
+  bytes.reserve(bytes.size() + geometry.size());
+  Cell c;
+  for (c.y = geometry.height() - 1; c.y >= 0; --c.y) {
+    for (c.x = 0; c.x < geometry.width(); ++c.x) {
+      bytes.push_back(static_cast<char>(pixel(c)));
+    }
+  }
+  return bytes;
+}
+
+template <class... Arguments>
+std::string formatted(const char* format, Arguments... arguments) {
+  const int length = std::snprintf(nullptr, 0, format, arguments...);
+  std::string text(static_cast<std::size_t>(length) + 1, '\0');
+  std::snprintf(text.data(), text.size(), format, arguments...);
+  text.pop_back();
+  return text;
+}
+
+std::string mapYaml(const char* image, const GridGeometry& geometry, const char* mode,
+                    const char* thresholds) {
+  return formatted("image: %s\nresolution: %.9g\norigin: [%.9g, %.9g, 0]\nnegate: 0\nmode: %s\n%s",
+                   image, geometry.resolution(), geometry.origin().x(), geometry.origin().y(), mode,
+                   thresholds);
+}
+
+ordered_json describe(const Config& config) {
+  ordered_json settings;
+  forEachSetting(config, [&](const std::string& name, const auto& value) {
+    const std::size_t slash = name.find('/');
+    const std::string group = name.substr(0, slash);
+    if (group != "ros") {  // where a map came from does not change it
+      settings[group][name.substr(slash + 1)] = value;
+    }
+  });
+  return settings;
+}
+
+ordered_json describe(const AccessPointSummary& summary) {
+  const AccessPoint& access_point = summary.access_point;
+  ordered_json json{{"bssid", access_point.bssid.str()},
+                    {"name", access_point.name},
+                    {"x", access_point.position.x()},
+                    {"y", access_point.position.y()},
+                    {"readings", summary.readings},
+                    {"walls", summary.model.walls()},
+                    {"centroids_dbm", summary.model.centroids()},
+                    {"thresholds_dbm", summary.model.thresholds()}};
+  return json;
+}
+
+ordered_json describe(const Rejections& rejections) {
+  ordered_json json{{"by_reason", ordered_json::object()},
+                    {"unknown_access_points", ordered_json::object()}};
+  for (const auto& [insertion, count] : rejections.count) {
+    json["by_reason"][toString(insertion)] = count;
+  }
+  for (const auto& [bssid, count] : rejections.unknown_access_points) {
+    json["unknown_access_points"][bssid.str()] = count;
+  }
+  return json;
+}
+
+/// Area [m2] of the cells in each state.
+ordered_json describe(const BeliefMap& belief) {
+  const GridGeometry& geometry = belief.geometry();
+  std::size_t free = 0;
+  std::size_t occupied = 0;
+  Cell c;
+  for (c.y = 0; c.y < geometry.height(); ++c.y) {
+    for (c.x = 0; c.x < geometry.width(); ++c.x) {
+      const CellState state = belief.state(c);
+      free += state == CellState::kFree ? 1 : 0;
+      occupied += state == CellState::kOccupied ? 1 : 0;
+    }
+  }
+  const double area = geometry.resolution() * geometry.resolution();
+  return {{"width", geometry.width()},
+          {"height", geometry.height()},
+          {"resolution", geometry.resolution()},
+          {"origin", {geometry.origin().x(), geometry.origin().y()}},
+          {"free_m2", static_cast<double>(free) * area},
+          {"occupied_m2", static_cast<double>(occupied) * area}};
+}
+
+}  // namespace
+
+std::string trinaryPgm(const BeliefMap& belief) {
+  return encodePgm(belief.geometry(), [&](Cell c) {
+    switch (belief.state(c)) {
+      case CellState::kFree:
+        return 254;
+      case CellState::kOccupied:
+        return 0;
+      case CellState::kUnknown:
+        break;
+    }
+    return 205;
+  });
+}
+
+std::string probabilityPgm(const BeliefMap& belief) {
+  return encodePgm(belief.geometry(), [&](Cell c) {
+    return std::lround(255.0 * (1.0 - static_cast<double>(belief.occupied(c))));
+  });
+}
+
+std::string trinaryYaml(const GridGeometry& geometry) {
+  return mapYaml("map.pgm", geometry, "trinary", "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
+}
+
+std::string probabilityYaml(const GridGeometry& geometry) {
+  return mapYaml("probability.pgm", geometry, "scale", "occupied_thresh: 1.0\nfree_thresh: 0.0\n");
+}
+
+std::string readingsCsv(const std::vector<Reading>& readings) {
+  std::string text = "stamp,x,y,bssid,rssi_dbm\n";
+  constexpr std::int64_t kSecond = 1000000000;
+  for (const Reading& reading : readings) {
+    // Floor, so that times before the epoch keep their fraction positive.
+    const std::int64_t fraction = ((reading.stamp_ns % kSecond) + kSecond) % kSecond;
+    text += formatted("%lld.%09lld,%.4f,%.4f,%s,%.2f\n",
+                      static_cast<long long>((reading.stamp_ns - fraction) / kSecond),
+                      static_cast<long long>(fraction), reading.antenna_in_map.x(),
+                      reading.antenna_in_map.y(), reading.bssid.str().c_str(), reading.rssi_dbm);
+  }
+  return text;
+}
+
+std::string accessPointsYaml(const std::vector<AccessPointSummary>& access_points) {
+  YAML::Emitter yaml;
+  yaml.SetDoublePrecision(std::numeric_limits<double>::max_digits10);
+  yaml << YAML::BeginMap << YAML::Key << "access_points" << YAML::Value << YAML::BeginSeq;
+  for (const AccessPointSummary& summary : access_points) {
+    const AccessPoint& access_point = summary.access_point;
+    yaml << YAML::Flow << YAML::BeginMap;
+    yaml << YAML::Key << "bssid" << YAML::Value << YAML::DoubleQuoted << access_point.bssid.str();
+    yaml << YAML::Key << "name" << YAML::Value << YAML::DoubleQuoted << access_point.name;
+    yaml << YAML::Key << "x" << YAML::Value << access_point.position.x();
+    yaml << YAML::Key << "y" << YAML::Value << access_point.position.y();
+    if (access_point.height_m) {
+      yaml << YAML::Key << "z" << YAML::Value << *access_point.height_m;
+    }
+    if (access_point.tx_dbm) {
+      yaml << YAML::Key << "tx_dbm" << YAML::Value << *access_point.tx_dbm;
+    }
+    yaml << YAML::EndMap;
+  }
+  yaml << YAML::EndSeq << YAML::EndMap;
+  return std::string(yaml.c_str()) + "\n";
+}
+
+std::string reportJson(const Snapshot& snapshot, const Config& config) {
+  double length_m = 0.0;
+  for (std::size_t i = 1; i < snapshot.path.size(); ++i) {
+    length_m +=
+        (snapshot.path[i].antenna_in_map - snapshot.path[i - 1].antenna_in_map).norm();
+  }
+  ordered_json report;
+  report["method"] = "k_visibility";
+  report["map"] = describe(snapshot.belief);
+  report["path"] = {{"poses", snapshot.path.size()}, {"length_m", length_m}};
+  report["access_points"] = ordered_json::array();
+  for (const AccessPointSummary& summary : snapshot.access_points) {
+    report["access_points"].push_back(describe(summary));
+  }
+  report["left_out"] = describe(snapshot.rejections);
+  report["settings"] = describe(config);
+  return report.dump(2) + "\n";
+}
+
+void writeMapFiles(const Snapshot& snapshot, const Config& config, const std::string& directory) {
+  // Everything is made before anything is written, so what cannot be made leaves no trace.
+  const BeliefMap& belief = snapshot.belief;
+  const auto tree = toOctomap(belief, config.octomap);
+  const std::vector<std::pair<const char*, std::string>> files{
+      {"map.pgm", trinaryPgm(belief)},
+      {"map.yaml", trinaryYaml(belief.geometry())},
+      {"probability.pgm", probabilityPgm(belief)},
+      {"probability.yaml", probabilityYaml(belief.geometry())},
+      {"map.bt", encodeBinaryFile(*tree)},
+      {"map.ot", encodeFullFile(*tree)},
+      {"map.png", renderPicture(snapshot)},
+      {"report.json", reportJson(snapshot, config)}};
+  makeDirectories(directory);
+  for (const auto& [name, bytes] : files) {
+    writeAtomically(directory + "/" + name, bytes);
+  }
+}
+
+void writeRecording(const std::vector<Reading>& readings, const Snapshot& snapshot,
+                    const std::string& directory) {
+  makeDirectories(directory);
+  writeAtomically(directory + "/readings.csv", readingsCsv(readings));
+  writeAtomically(directory + "/access_points.yaml", accessPointsYaml(snapshot.access_points));
+}
+
+}  // namespace sfw

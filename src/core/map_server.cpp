@@ -1,0 +1,189 @@
+#include "structure_from_wifi/map_server.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "structure_from_wifi/input_error.h"
+#include "text.h"
+
+namespace sfw {
+namespace {
+
+/// An 8-bit grey image, top row first.
+struct GreyImage {
+  std::int64_t width = 0;
+  std::int64_t height = 0;
+  std::vector<std::uint8_t> pixels;
+};
+
+/// Walks over the parts of a PGM's header and, for P2, its pixels.
+class PgmText {
+ public:
+  PgmText(const std::string& file, const std::string& bytes) : file_(file), bytes_(bytes) {}
+
+  std::string magic() {
+    at_ = 2;
+    return bytes_.substr(0, 2);
+  }
+
+  long number(long low, long high) {
+    skipBlanksAndComments();
+    long value = 0;
+    const std::size_t start = at_;
+    while (at_ < bytes_.size() && std::isdigit(static_cast<unsigned char>(bytes_[at_])) != 0) {
+      value = value * 10 + (bytes_[at_++] - '0');
+      if (value > high) {
+        break;
+      }
+    }
+    if (at_ == start || value < low || value > high) {
+      throw InputError(file_ + ": not a whole 8-bit PGM (byte " + std::to_string(start) + ")");
+    }
+    return value;
+  }
+
+  /// Where the pixels of a P5 start: after exactly one blank.
+  std::size_t pixels() const { return at_ + 1; }
+
+ private:
+  void skipBlanksAndComments() {
+    while (at_ < bytes_.size()) {
+      if (bytes_[at_] == '#') {
+        at_ = std::min(bytes_.find('\n', at_), bytes_.size());
+      } else if (std::isspace(static_cast<unsigned char>(bytes_[at_])) == 0) {
+        return;
+      } else {
+        ++at_;
+      }
+    }
+  }
+
+  const std::string& file_;
+  const std::string& bytes_;
+  std::size_t at_ = 0;
+};
+
+GreyImage readPgm(const std::string& file) {
+  const std::string bytes = readFile(file);
+  PgmText text(file, bytes);
+  const std::string magic = text.magic();
+  if (magic != "P5" && magic != "P2") {
+    throw InputError(file + ": not a PGM image (P2 or P5); convert it, e.g. with ImageMagick");
+  }
+  constexpr long kMaxSide = 1L << 18;
+  GreyImage image;
+  image.width = text.number(1, kMaxSide);
+  image.height = text.number(1, kMaxSide);
+  const long deepest = text.number(1, 255);
+  const auto count = static_cast<std::size_t>(image.width * image.height);
+  // Before anything is allocated: each pixel takes at least a byte of the file.
+  if (bytes.size() < count) {
+    throw InputError(file + ": the image is cut short");
+  }
+  image.pixels.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    long value = 0;
+    if (magic == "P2") {
+      value = text.number(0, deepest);
+    } else if (text.pixels() + i < bytes.size()) {
+      value = static_cast<std::uint8_t>(bytes[text.pixels() + i]);
+    } else {
+      throw InputError(file + ": the image is cut short");
+    }
+    // P5 can hold values that its own header rules out.
+    image.pixels[i] = static_cast<std::uint8_t>(std::min(value, deepest) * 255 / deepest);
+  }
+  return image;
+}
+
+/// Everything that a map's YAML and image say.
+struct MapFile {
+  GridGeometry geometry;
+  GreyImage image;
+  bool negate;
+  double occupied_threshold;
+  double free_threshold;
+
+  double occupied(Cell c) const {
+    const auto row = image.height - 1 - c.y;
+    const double white = image.pixels[static_cast<std::size_t>(row * image.width + c.x)] / 255.0;
+    return negate ? white : 1.0 - white;
+  }
+};
+
+/// @return `absent` if the key is missing; what it holds is never left out silently.
+double numberOr(const YAML::Node& yaml, const char* key, double absent) {
+  return yaml[key] ? yaml[key].as<double>() : absent;
+}
+
+void requireUnderstood(const std::string& yaml_file, const MapFile& map, const std::string& mode) {
+  if (mode != "trinary" && mode != "scale") {
+    throw InputError(yaml_file + ": 'mode' must be trinary or scale; it is '" + mode + "'");
+  }
+  if (!(map.free_threshold >= 0.0 && map.free_threshold <= map.occupied_threshold &&
+        map.occupied_threshold <= 1.0)) {
+    throw InputError(yaml_file + ": 0 <= free_thresh <= occupied_thresh <= 1 must hold");
+  }
+}
+
+MapFile parseMapFile(const std::string& yaml_file) {
+  const YAML::Node yaml = YAML::Load(readFile(yaml_file));
+  const auto origin = yaml["origin"].as<std::vector<double>>();
+  if (origin.size() < 2 || (origin.size() > 2 && origin[2] != 0.0)) {
+    throw InputError(yaml_file + ": 'origin' must be [x, y, 0]: rotated maps are not supported");
+  }
+  const std::filesystem::path folder = std::filesystem::path(yaml_file).parent_path();
+  GreyImage image = readPgm((folder / yaml["image"].as<std::string>()).string());
+  const GridGeometry geometry(yaml["resolution"].as<double>(), {origin[0], origin[1]}, image.width,
+                              image.height);
+  MapFile map{geometry, std::move(image), numberOr(yaml, "negate", 0.0) != 0.0,
+              numberOr(yaml, "occupied_thresh", 0.65), numberOr(yaml, "free_thresh", 0.196)};
+  requireUnderstood(yaml_file, map, yaml["mode"] ? yaml["mode"].as<std::string>() : "trinary");
+  return map;
+}
+
+MapFile readMapFile(const std::string& yaml_file) {
+  try {
+    return parseMapFile(yaml_file);
+  } catch (const YAML::Exception& error) {
+    throw InputError(yaml_file + ": " + error.what() +
+                     " (a map needs image, resolution and origin)");
+  } catch (const std::invalid_argument& error) {
+    throw InputError(yaml_file + ": " + error.what());
+  }
+}
+
+template <class T, class Convert>
+Grid<T> converted(const std::string& yaml_file, Convert&& convert) {
+  const MapFile file = readMapFile(yaml_file);
+  Grid<T> grid(file.geometry);
+  Cell c;
+  for (c.y = 0; c.y < file.geometry.height(); ++c.y) {
+    for (c.x = 0; c.x < file.geometry.width(); ++c.x) {
+      grid[c] = convert(file, c);
+    }
+  }
+  return grid;
+}
+
+}  // namespace
+
+Grid<CellState> readMap(const std::string& yaml_file) {
+  return converted<CellState>(yaml_file, [](const MapFile& file, Cell c) {
+    const double occupied = file.occupied(c);
+    if (occupied > file.occupied_threshold) {
+      return CellState::kOccupied;
+    }
+    return occupied < file.free_threshold ? CellState::kFree : CellState::kUnknown;
+  });
+}
+
+Grid<float> readProbabilities(const std::string& yaml_file) {
+  return converted<float>(
+      yaml_file, [](const MapFile& file, Cell c) { return static_cast<float>(file.occupied(c)); });
+}
+
+}  // namespace sfw

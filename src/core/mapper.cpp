@@ -1,0 +1,289 @@
+#include "structure_from_wifi/mapper.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "structure_from_wifi/input_error.h"
+
+namespace sfw {
+namespace {
+
+/// Below the precision of any odometry and any radio, far above that of their arithmetic.
+constexpr double kPositionStep = 1e-4;  // [m]
+constexpr double kRssiStep = 1e-2;      // [dB]
+
+double rounded(double value, double step) { return std::round(value / step) * step; }
+
+Position rounded(const Position& point) {
+  return {rounded(point.x(), kPositionStep), rounded(point.y(), kPositionStep)};
+}
+
+auto order(const PathPose& pose) {
+  return std::make_tuple(pose.stamp_ns, pose.antenna_in_map.x(), pose.antenna_in_map.y());
+}
+
+/// Every pose once, in the order driven.
+std::vector<PathPose> pathOf(const std::vector<Reading>& readings) {
+  std::vector<PathPose> path;
+  path.reserve(readings.size());
+  for (const Reading& reading : readings) {
+    path.push_back({reading.stamp_ns, reading.antenna_in_map, PathPose::kNothingHeard});
+  }
+  std::sort(path.begin(), path.end(),
+            [](const PathPose& a, const PathPose& b) { return order(a) < order(b); });
+  path.erase(std::unique(path.begin(), path.end(),
+                         [](const PathPose& a, const PathPose& b) { return order(a) == order(b); }),
+             path.end());
+  return path;
+}
+
+/// Notes a wall count at its pose of the path; of several, the smallest stays.
+void noteWalls(const PathPose& counted, std::vector<PathPose>& path) {
+  const auto at = std::lower_bound(
+      path.begin(), path.end(), counted,
+      [](const PathPose& a, const PathPose& b) { return order(a) < order(b); });
+  at->walls =
+      at->walls == PathPose::kNothingHeard ? counted.walls : std::min(at->walls, counted.walls);
+}
+
+Box extentOf(const std::vector<AccessPoint>& access_points) {
+  Box box;
+  for (const AccessPoint& access_point : access_points) {
+    box.extend(access_point.position);
+  }
+  return box;
+}
+
+GridGeometry geometryAround(const Box& extent, const Config::Map& config) {
+  const Position margin(config.margin, config.margin);
+  return GridGeometry::covering({extent.min() - margin, extent.max() + margin}, config.resolution,
+                                config.growth_step, config.max_cells);
+}
+
+GridGeometry firstGeometry(const Config& config, const std::vector<AccessPoint>& access_points) {
+  std::string problems;
+  for (const std::string& problem : validate(config)) {
+    problems += (problems.empty() ? "" : "\n") + problem;
+  }
+  if (!problems.empty()) {
+    throw InputError(problems);
+  }
+  if (access_points.empty()) {
+    throw InputError("access_points must hold at least one access point");
+  }
+  try {
+    return geometryAround(extentOf(access_points), config.map);
+  } catch (const std::invalid_argument&) {
+    throw InputError("a map around the access points would have more than map/max_cells = " +
+                     std::to_string(config.map.max_cells) +
+                     " cells; correct their positions or raise map/resolution");
+  }
+}
+
+}  // namespace
+
+const char* toString(Insertion insertion) {
+  switch (insertion) {
+    case Insertion::kAccepted:
+      return "accepted";
+    case Insertion::kPositionNotFinite:
+      return "position is not finite";
+    case Insertion::kPositionTooFar:
+      return "position is so far out that the map would pass map/max_cells";
+    case Insertion::kRssiNotFinite:
+      return "rssi_dbm is not finite";
+    case Insertion::kRssiOutOfRange:
+      return "rssi_dbm is not in (-120, 0] (is it percent?)";
+    case Insertion::kUnknownAccessPoint:
+      return "bssid is not in the table of access points";
+    case Insertion::kTooManyReadings:
+      return "map/max_readings is reached";
+  }
+  return "";
+}
+
+Mapper::Mapper(const Config& config, const std::vector<AccessPoint>& access_points)
+    : config_(config),
+      access_points_(access_points),
+      extent_(extentOf(access_points)),
+      geometry_(firstGeometry(config, access_points)) {
+  for (std::size_t i = 0; i < access_points_.size(); ++i) {
+    if (!index_of_.emplace(access_points_[i].bssid, i).second) {
+      throw InputError("access_points holds " + access_points_[i].bssid.str() + " twice");
+    }
+  }
+}
+
+Insertion Mapper::makeRoomFor(const Position& point) {
+  if (!point.allFinite()) {
+    return Insertion::kPositionNotFinite;
+  }
+  if (extent_.contains(point)) {
+    return Insertion::kAccepted;
+  }
+  Box extent = extent_;
+  extent.extend(point);
+  try {
+    geometry_ = geometryAround(extent, config_.map);
+  } catch (const std::invalid_argument&) {
+    return Insertion::kPositionTooFar;
+  }
+  extent_ = extent;
+  return Insertion::kAccepted;
+}
+
+Insertion Mapper::insert(const Reading& reading) {
+  const Insertion insertion = accept(reading);
+  if (insertion != Insertion::kAccepted) {
+    ++rejections_.count[insertion];
+  }
+  constexpr std::size_t kMostNamed = 1000;
+  auto& unknown = rejections_.unknown_access_points;
+  if (insertion == Insertion::kUnknownAccessPoint &&
+      (unknown.size() < kMostNamed || unknown.count(reading.bssid) > 0)) {
+    ++unknown[reading.bssid];
+  }
+  return insertion;
+}
+
+Insertion Mapper::examined(const Reading& reading) const {
+  if (!std::isfinite(reading.rssi_dbm)) {
+    return Insertion::kRssiNotFinite;
+  }
+  if (reading.rssi_dbm <= -120.0 || reading.rssi_dbm > 0.0) {
+    return Insertion::kRssiOutOfRange;
+  }
+  const auto limit = static_cast<std::size_t>(config_.map.max_readings);
+  if (readings_.size() >= limit) {
+    return Insertion::kTooManyReadings;
+  }
+  return Insertion::kAccepted;
+}
+
+Insertion Mapper::accept(const Reading& reading) {
+  const Insertion examination = examined(reading);
+  if (examination != Insertion::kAccepted) {
+    return examination;
+  }
+  const Reading kept{reading.stamp_ns, rounded(reading.antenna_in_map), reading.bssid,
+                     rounded(reading.rssi_dbm, kRssiStep)};
+  const Insertion room = makeRoomFor(kept.antenna_in_map);
+  if (room != Insertion::kAccepted) {
+    return room;
+  }
+  readings_.push_back(kept);
+  return index_of_.count(kept.bssid) > 0 ? Insertion::kAccepted : Insertion::kUnknownAccessPoint;
+}
+
+Insertion Mapper::insert(const Contact& contact) {
+  if (contacts_.size() >= static_cast<std::size_t>(config_.map.max_readings)) {
+    return Insertion::kTooManyReadings;
+  }
+  const Position point = rounded(contact.point_in_map);
+  const Insertion room = makeRoomFor(point);
+  if (room != Insertion::kAccepted) {
+    ++rejections_.count[room];
+    return room;
+  }
+  contacts_.push_back({contact.stamp_ns, point});
+  return room;
+}
+
+void Mapper::reset() {
+  readings_.clear();
+  contacts_.clear();
+  rejections_ = {};
+}
+
+std::vector<Reading> Mapper::readings() const {
+  std::vector<Reading> readings = readings_;
+  const auto full_order = [](const Reading& r) {
+    return std::make_tuple(r.stamp_ns, r.bssid, -r.rssi_dbm, r.antenna_in_map.x(),
+                           r.antenna_in_map.y());
+  };
+  std::sort(readings.begin(), readings.end(), [&](const Reading& a, const Reading& b) {
+    return full_order(a) < full_order(b);
+  });
+  readings.erase(std::unique(readings.begin(), readings.end(),
+                             [](const Reading& a, const Reading& b) {
+                               return a.stamp_ns == b.stamp_ns && a.bssid == b.bssid;
+                             }),
+                 readings.end());
+  return readings;
+}
+
+std::vector<Mapper::Series> Mapper::seriesOf(const std::vector<Reading>& readings) const {
+  std::vector<Series> all(access_points_.size());
+  for (const Reading& reading : readings) {
+    const auto found = index_of_.find(reading.bssid);
+    if (found != index_of_.end()) {
+      Series& series = all[found->second];
+      series.poses.push_back({reading.stamp_ns, reading.antenna_in_map, PathPose::kNothingHeard});
+      series.rssi_dbm.push_back(reading.rssi_dbm);
+    }
+  }
+  return all;
+}
+
+std::shared_ptr<const Snapshot> Mapper::infer() const {
+  const std::atomic<bool> never{false};
+  return infer(never);
+}
+
+std::shared_ptr<const Snapshot> Mapper::infer(const std::atomic<bool>& stop) const {
+  const std::vector<Reading> kept = readings();
+  std::vector<PathPose> path = pathOf(kept);
+  std::vector<AccessPointSummary> summaries;
+  std::vector<CountedPath> heard;
+  std::size_t i = 0;
+  for (Series& series : seriesOf(kept)) {
+    const AccessPoint& access_point = access_points_[i++];
+    const std::vector<double> rssi_dbm = filtered(series, access_point.position);
+    const WallCountModel model = fitted(rssi_dbm);
+    CountedPath counted{access_point.position, {}};
+    for (std::size_t j = 0; j < rssi_dbm.size(); ++j) {
+      PathPose& pose = series.poses[j];
+      pose.walls = model.count(rssi_dbm[j]);
+      counted.poses.push_back({pose.antenna_in_map, pose.walls});
+      noteWalls(pose, path);
+    }
+    summaries.push_back({access_point, series.poses.size(), model});
+    heard.push_back(std::move(counted));
+  }
+  std::vector<Position> driven;
+  driven.reserve(path.size());
+  for (const PathPose& pose : path) {
+    driven.push_back(pose.antenna_in_map);
+  }
+  const Grid<float> occupied =
+      inferOccupancy(geometry_, heard, driven, contacts_, config_.inference, stop);
+  if (stop) {
+    return nullptr;
+  }
+  return std::make_shared<const Snapshot>(Snapshot{BeliefMap(occupied, config_.belief),
+                                                   std::move(path), std::move(summaries),
+                                                   rejections_});
+}
+
+std::vector<double> Mapper::filtered(const Series& series, const Position& access_point) const {
+  std::vector<double> rssi_dbm;
+  rssi_dbm.reserve(series.poses.size());
+  for (std::size_t i = 0; i < series.poses.size(); ++i) {
+    const double distance_m = (series.poses[i].antenna_in_map - access_point).norm();
+    rssi_dbm.push_back(withoutPathLoss(series.rssi_dbm[i], distance_m,
+                                       config_.rssi.path_loss_exponent));
+  }
+  const auto window = static_cast<std::size_t>(config_.rssi.window);
+  return config_.rssi.filter == "mean" ? slidingMean(rssi_dbm, window)
+                                       : slidingMedian(rssi_dbm, window);
+}
+
+WallCountModel Mapper::fitted(const std::vector<double>& rssi_dbm) const {
+  return config_.rssi.walls > 0
+             ? WallCountModel::fit(rssi_dbm, static_cast<std::size_t>(config_.rssi.walls))
+             : WallCountModel::choose(rssi_dbm, static_cast<std::size_t>(config_.rssi.max_walls),
+                                      config_.rssi.min_wall_loss);
+}
+
+}  // namespace sfw

@@ -1,0 +1,60 @@
+#include "map_publishers.h"
+
+#include <nav_msgs/Path.h>
+#include <octomap/OcTree.h>
+#include <octomap_msgs/Octomap.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include "message_conversion.h"
+#include "structure_from_wifi/octomap_export.h"
+
+namespace sfw {
+
+MapPublishers::MapPublishers(ros::NodeHandle& node, const Config& config) : config_(config) {
+  constexpr bool kLatched = true;
+  map_ = node.advertise<nav_msgs::OccupancyGrid>("map", 1, kLatched);
+  metadata_ = node.advertise<nav_msgs::MapMetaData>("map_metadata", 1, kLatched);
+  probability_ = node.advertise<nav_msgs::OccupancyGrid>("map_probability", 1, kLatched);
+  markers_ = node.advertise<visualization_msgs::MarkerArray>("markers", 1, kLatched);
+  path_ = node.advertise<nav_msgs::Path>("path", 1, kLatched);
+  const auto connected = [this](const ros::SingleSubscriberPublisher&) { octomap_due_ = true; };
+  octomap_binary_ = node.advertise<octomap_msgs::Octomap>("octomap_binary", 1, connected, {}, {},
+                                                          kLatched);
+  octomap_full_ = node.advertise<octomap_msgs::Octomap>("octomap_full", 1, connected, {}, {},
+                                                        kLatched);
+}
+
+void MapPublishers::publish(const std::shared_ptr<const Snapshot>& snapshot) {
+  last_snapshot_ = snapshot;
+  std_msgs::Header header;
+  header.frame_id = config_.ros.map_frame;
+  header.stamp = ros::Time::now();
+  last_map_ = toTrinaryGrid(snapshot->belief, header);
+  map_.publish(last_map_);
+  metadata_.publish(last_map_.info);
+  probability_.publish(toProbabilityGrid(snapshot->belief, header));
+  path_.publish(toPath(*snapshot, header));
+  markers_.publish(toMarkers(*snapshot, header));
+  octomap_due_ = true;
+  publishToNewcomers();
+}
+
+void MapPublishers::publishToNewcomers() {
+  const bool listened_to =
+      octomap_binary_.getNumSubscribers() > 0 || octomap_full_.getNumSubscribers() > 0;
+  if (last_snapshot_ && listened_to && octomap_due_.exchange(false)) {
+    publishOctomap();
+  }
+}
+
+void MapPublishers::publishOctomap() {
+  const auto tree = toOctomap(last_snapshot_->belief, config_.octomap);
+  if (octomap_binary_.getNumSubscribers() > 0) {
+    octomap_binary_.publish(toBinaryOctomap(*tree, last_map_.header));
+  }
+  if (octomap_full_.getNumSubscribers() > 0) {
+    octomap_full_.publish(toFullOctomap(*tree, last_map_.header));
+  }
+}
+
+}  // namespace sfw

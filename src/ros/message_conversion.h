@@ -1,0 +1,38 @@
+#pragma once
+
+#include <nav_msgs/OccupancyGrid.h>
+#include <nav_msgs/Path.h>
+#include <octomap_msgs/Octomap.h>
+#include <std_msgs/Header.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include "structure_from_wifi/config.h"
+#include "structure_from_wifi/grid_geometry.h"
+#include "structure_from_wifi/mapper.h"
+
+namespace octomap {
+class OcTree;
+}
+
+namespace sfw {
+
+/// Extent of a grid, unrotated.
+nav_msgs::MapMetaData toMetaData(const GridGeometry& geometry, const ros::Time& load_time);
+
+/// Only -1, 0 and 100: all that costmap_2d's static layer and amcl read as meant.
+nav_msgs::OccupancyGrid toTrinaryGrid(const BeliefMap& belief, const std_msgs::Header& header);
+nav_msgs::OccupancyGrid toTrinaryGrid(const Grid<CellState>& states,
+                                      const std_msgs::Header& header);
+
+/// Probability of being occupied in percent, -1 where nothing is known.
+nav_msgs::OccupancyGrid toProbabilityGrid(const BeliefMap& belief, const std_msgs::Header& header);
+
+nav_msgs::Path toPath(const Snapshot& snapshot, const std_msgs::Header& header);
+
+/// Access points with their names, the path coloured by wall count, and the colours' legend.
+visualization_msgs::MarkerArray toMarkers(const Snapshot& snapshot, const std_msgs::Header& header);
+
+octomap_msgs::Octomap toBinaryOctomap(const octomap::OcTree& tree, const std_msgs::Header& header);
+octomap_msgs::Octomap toFullOctomap(const octomap::OcTree& tree, const std_msgs::Header& header);
+
+}  // namespace sfw

@@ -1,0 +1,85 @@
+#include "observation_queue.h"
+
+#include <tf2/exceptions.h>
+
+#include <algorithm>
+
+namespace sfw {
+namespace {
+
+Eigen::Vector3d toVector(const geometry_msgs::Vector3& v) { return {v.x, v.y, v.z}; }
+
+Eigen::Quaterniond toQuaternion(const geometry_msgs::Quaternion& q) {
+  return Eigen::Quaterniond(q.w, q.x, q.y, q.z);
+}
+
+}  // namespace
+
+bool place(const Observation& observation, const Config::Ros& config,
+           const tf2::BufferCore& transforms, Mapper& mapper, std::string& reason) {
+  const auto* reading = std::get_if<UnplacedReading>(&observation.content);
+  const auto* contacts = std::get_if<UnplacedContacts>(&observation.content);
+  const std::string& frame = reading != nullptr ? config.antenna_frame : contacts->frame;
+  geometry_msgs::Transform map_from_sensor;
+  try {
+    map_from_sensor =
+        transforms.lookupTransform(config.map_frame, frame, observation.stamp).transform;
+  } catch (const tf2::TransformException& error) {
+    reason = error.what();
+    return false;
+  }
+  const auto stamp_ns = static_cast<std::int64_t>(observation.stamp.toNSec());
+  const Eigen::Vector3d origin = toVector(map_from_sensor.translation);
+  if (reading != nullptr) {
+    mapper.insert(Reading{stamp_ns, origin.head<2>(), reading->bssid, reading->rssi_dbm});
+    return true;
+  }
+  for (const Eigen::Vector3d& point : contacts->points) {
+    const Eigen::Vector3d in_map = toQuaternion(map_from_sensor.rotation) * point + origin;
+    mapper.insert(Contact{stamp_ns, in_map.head<2>()});
+  }
+  return true;
+}
+
+void ObservationQueue::push(Observation observation) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (waiting_.size() >= static_cast<std::size_t>(config_.max_waiting)) {
+    waiting_.pop_front();
+    ++crowded_out_;
+  }
+  waiting_.push_back(std::move(observation));
+}
+
+void ObservationQueue::clear() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  waiting_.clear();
+}
+
+ObservationQueue::Outcome ObservationQueue::place(const tf2::BufferCore& transforms,
+                                                  const ros::Time& now, Mapper& mapper) {
+  std::deque<Observation> observations;
+  Outcome outcome;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    observations.swap(waiting_);
+    std::swap(outcome.crowded_out, crowded_out_);
+  }
+  std::deque<Observation> still_waiting;
+  for (Observation& observation : observations) {
+    std::string reason;
+    if (sfw::place(observation, config_, transforms, mapper, reason)) {
+      ++outcome.placed;
+    } else if ((now - observation.stamp).toSec() > config_.transform_timeout) {
+      ++outcome.expired;
+      outcome.reason = reason;
+    } else {
+      still_waiting.push_back(std::move(observation));
+    }
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  waiting_.insert(waiting_.begin(), std::make_move_iterator(still_waiting.begin()),
+                  std::make_move_iterator(still_waiting.end()));
+  return outcome;
+}
+
+}  // namespace sfw

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <xmlrpcpp/XmlRpcValue.h>
+#include <yaml-cpp/yaml.h>
+
+#include <string>
+
+namespace sfw {
+
+/// A tree of ROS parameters as YAML, so that files and parameters have one reader. Numbers keep
+/// every bit. An unset value becomes null.
+/// @param name  of the parameter, for the error
+/// @throw InputError naming a parameter whose type YAML does not have (date, binary).
+YAML::Node toYaml(const XmlRpc::XmlRpcValue& value, const std::string& name = "");
+
+}  // namespace sfw

@@ -1,0 +1,151 @@
+#include "simulator_config.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <cstdio>
+#include <set>
+
+#include "structure_from_wifi/config_reader.h"
+#include "structure_from_wifi/input_error.h"
+
+namespace sfw {
+namespace {
+
+constexpr char kAccessPointsKey[] = "access_points";
+
+const char* typeName(bool) { return "true or false"; }
+const char* typeName(double) { return "a number"; }
+const char* typeName(std::int64_t) { return "a whole number"; }
+const char* typeName(const std::string&) { return "a text"; }
+
+/// The value at a path such as "radio/exponent"; undefined if there is none.
+YAML::Node find(const YAML::Node& tree, const std::string& path) {
+  const std::size_t slash = path.find('/');
+  if (!tree.IsMap()) {
+    return YAML::Node(YAML::NodeType::Undefined);
+  }
+  const YAML::Node child = tree[path.substr(0, slash)];
+  return !child || slash == std::string::npos ? child : find(child, path.substr(slash + 1));
+}
+
+/// Every path under a node that leads to a value.
+void addLeaves(const YAML::Node& node, const std::string& path, std::set<std::string>& leaves) {
+  if (!node.IsMap()) {
+    leaves.insert(path);
+    return;
+  }
+  for (const auto& entry : node) {
+    const auto key = entry.first.as<std::string>();
+    addLeaves(entry.second, path.empty() ? key : path + "/" + key, leaves);
+  }
+}
+
+/// Collects what is wrong with settings.
+class Problems {
+ public:
+  void add(const std::string& problem) { text_ += (text_.empty() ? "" : "\n") + problem; }
+
+  void requireIn(double value, double low, double high, const char* name) {
+    if (!(value >= low && value <= high)) {
+      char text[96];
+      std::snprintf(text, sizeof text, "%s must lie in %g..%g", name, low, high);
+      add(text);
+    }
+  }
+
+  void throwIfAny() const {
+    if (!text_.empty()) {
+      throw InputError(text_);
+    }
+  }
+
+ private:
+  std::string text_;
+};
+
+void checkRates(const SimulatorConfig& config, Problems& problems) {
+  problems.requireIn(config.speed, 0.01, 10.0, "speed");
+  problems.requireIn(config.yaw_rate, 0.01, 100.0, "yaw_rate");
+  problems.requireIn(config.robot_radius, 0.0, 10.0, "robot_radius");
+  problems.requireIn(config.tf_rate, 1.0, 1000.0, "tf_rate");
+  problems.requireIn(config.scan_rate, 0.01, 1000.0, "scan_rate");
+  if (config.scan_rate > config.tf_rate) {
+    problems.add("scan_rate must not exceed tf_rate: each scan is stamped with a transform's time");
+  }
+  problems.requireIn(config.time_scale, 0.01, 100.0, "time_scale");
+  if (config.time_scale != 1.0 && !config.publish_clock) {
+    problems.add("time_scale must be 1 unless publish_clock is true");
+  }
+  problems.requireIn(config.start_delay, 0.0, 3600.0, "start_delay");
+}
+
+void checkNames(const SimulatorConfig& config, Problems& problems) {
+  if (config.plan.empty()) {
+    problems.add("plan must name a map_server YAML file");
+  }
+  if (config.route.empty()) {
+    problems.add("route must name a CSV file with the columns x, y");
+  }
+  const auto require_frame = [&](const std::string& frame, const char* name) {
+    if (frame.empty() || frame.front() == '/') {
+      problems.add(std::string(name) + " must be a frame's name without a leading slash");
+    }
+  };
+  require_frame(config.map_frame, "map_frame");
+  require_frame(config.odom_frame, "odom_frame");
+  require_frame(config.base_frame, "base_frame");
+  if (config.map_frame == config.odom_frame || config.odom_frame == config.base_frame ||
+      config.map_frame == config.base_frame) {
+    problems.add("map_frame, odom_frame and base_frame must differ");
+  }
+}
+
+void checkPlaces(const SimulatorConfig& config, Problems& problems) {
+  constexpr double kFar = 1e6;  // metres; nothing beyond is a building
+  constexpr double kTurn = 10.0;
+  problems.requireIn(config.odom.x, -kFar, kFar, "odom/x");
+  problems.requireIn(config.odom.y, -kFar, kFar, "odom/y");
+  problems.requireIn(config.odom.yaw, -kTurn, kTurn, "odom/yaw");
+  for (const std::string& problem : validate(config.radio)) {
+    problems.add("radio/" + problem);
+  }
+}
+
+}  // namespace
+
+SimulatorConfig simulatorConfigFromYaml(const YAML::Node& tree) {
+  SimulatorConfig config;
+  Problems problems;
+  forEachSimulatorSetting(config, [&](const char* name, auto& value) {
+    const YAML::Node node = find(tree, name);
+    auto given = value;  // decode() spoils its target when it fails
+    if (node && !YAML::convert<decltype(given)>::decode(node, given)) {
+      problems.add(std::string(name) + " must be " + typeName(value));
+    } else if (node) {
+      value = given;
+    }
+  });
+  try {
+    config.access_points = accessPointsFromYaml(find(tree, kAccessPointsKey));
+  } catch (const InputError& error) {
+    problems.add(error.what());
+  }
+  checkNames(config, problems);
+  checkRates(config, problems);
+  checkPlaces(config, problems);
+  problems.throwIfAny();
+  return config;
+}
+
+std::vector<std::string> unknownSimulatorSettings(const YAML::Node& tree) {
+  std::set<std::string> leaves;
+  if (tree.IsMap()) {
+    addLeaves(tree, "", leaves);
+  }
+  const SimulatorConfig defaults;
+  forEachSimulatorSetting(defaults, [&](const char* name, const auto&) { leaves.erase(name); });
+  leaves.erase(kAccessPointsKey);
+  return {leaves.begin(), leaves.end()};
+}
+
+}  // namespace sfw

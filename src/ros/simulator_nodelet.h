@@ -1,0 +1,80 @@
+#pragma once
+
+#include <nodelet/nodelet.h>
+#include <ros/publisher.h>
+#include <tf2_ros/transform_broadcaster.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "simulator_config.h"
+#include "structure_from_wifi/simulation.h"
+
+namespace sfw {
+
+/// A robot that follows a route through a floor plan and hears its access points.
+///
+/// Publishes tf (map -> odom -> base), `wifi_scan`, `truth` (the plan, latched), `finished`
+/// (std_msgs/Bool, latched) and, with `publish_clock`, /clock. Each step sends the clock, then
+/// transforms, then the scan if one is due: a scan bears the stamp of transforms that were sent
+/// before it, and the next ones follow a step later.
+///
+/// The drive starts when somebody subscribes to the scans; scans end with it, clock and tf go on.
+/// One thread of its own does all this by the machine's clock, so a simulated time that stands
+/// still holds nothing up. With parameters that cannot be used it says so and advertises nothing.
+class SimulatorNodelet : public nodelet::Nodelet {
+ public:
+  ~SimulatorNodelet() override;
+
+ private:
+  using WallClock = std::chrono::steady_clock;
+
+  void onInit() override;
+
+  /// @throw InputError if the parameters or the files that they name cannot be used.
+  void loadWorld();
+  void advertise();
+
+  void run();
+
+  /// Waits for a point in time; false as soon as the nodelet is to stop.
+  bool waitUntil(WallClock::time_point time);
+
+  /// Sends all that is due at a step; step n lies n / tf_rate after the start.
+  void sendStep(std::int64_t step);
+  void sendTransforms(const ros::Time& stamp, const RobotPose& pose);
+  void sendScan(const ros::Time& stamp, const RobotPose& pose);
+
+  void finish();
+
+  /// True once the drive may start: a listener has settled, or none came in time.
+  bool mayDepart();
+
+  SimulatorConfig config_;
+  std::optional<Grid<CellState>> plan_;
+  std::optional<Route> route_;
+  std::optional<RadioModel> radio_;
+
+  ros::Publisher clock_publisher_;
+  ros::Publisher scan_publisher_;
+  ros::Publisher truth_publisher_;
+  ros::Publisher finished_publisher_;
+  std::optional<tf2_ros::TransformBroadcaster> broadcaster_;
+
+  ros::Time start_;                        // stamp of step 0
+  WallClock::time_point deadline_;         // the drive starts then at the latest
+  std::optional<std::int64_t> departure_;  // the step at which it did start
+  std::uint64_t scans_ = 0;                // sent so far
+  bool finished_ = false;
+
+  std::mutex mutex_;
+  std::condition_variable stop_signal_;
+  bool stop_ = false;  // guarded by mutex_
+  std::thread thread_;
+};
+
+}  // namespace sfw
