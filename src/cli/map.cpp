@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 #include <memory>
 
+#include "bag_reader.h"
 #include "commands.h"
 #include "structure_from_wifi/config_reader.h"
 #include "structure_from_wifi/input_error.h"
@@ -12,8 +14,12 @@
 namespace sfw {
 namespace {
 
-struct Options {
+struct MapOptions {
   std::string readings;
+  std::string bag;
+  BagTopics topics;
+  std::string map_frame;
+  std::string antenna_frame;
   std::string access_points;
   std::string contacts;
   std::string config;
@@ -22,15 +28,32 @@ struct Options {
 
 void warn(const std::string& text) { std::cerr << "sfw: warning: " << text << '\n'; }
 
-Config loadConfig(const std::string& file) {
-  if (file.empty()) {
-    return {};
+Config loadConfig(const MapOptions& options) {
+  ConfigReading reading;
+  if (!options.config.empty()) {
+    reading = readConfig(options.config);
   }
-  ConfigReading reading = readConfig(file);
   for (const std::string& warning : reading.warnings) {
-    warn(file + ": " + warning);
+    warn(options.config + ": " + warning);
   }
-  return reading.config;
+  Config& config = reading.config;
+  config.ros.map_frame = options.map_frame.empty() ? config.ros.map_frame : options.map_frame;
+  config.ros.antenna_frame =
+      options.antenna_frame.empty() ? config.ros.antenna_frame : options.antenna_frame;
+  return config;
+}
+
+void insertBag(const MapOptions& options, const Config::Ros& config, Mapper& mapper) {
+  const BagReading reading = readBag(options.bag, options.topics, config, mapper);
+  if (reading.malformed > 0) {
+    warn(options.bag + ": " + std::to_string(reading.malformed) +
+         " readings left out: bssid or age is malformed");
+  }
+  if (reading.unplaced > 0) {
+    warn(options.bag + ": " + std::to_string(reading.unplaced) +
+         " readings left out: no transform from " + config.antenna_frame + " to " +
+         config.map_frame + " at their stamp (" + reading.reason + ")");
+  }
 }
 
 void insertReadings(const std::string& file, Mapper& mapper) {
@@ -59,21 +82,29 @@ void reportRejections(const std::string& source, const Rejections& rejections) {
   }
 }
 
-void run(const Options& options) {
+void run(const MapOptions& options) {
   const auto start = std::chrono::steady_clock::now();
-  const Config config = loadConfig(options.config);
+  const Config config = loadConfig(options);
   Mapper mapper(config, readAccessPoints(options.access_points));
-  insertReadings(options.readings, mapper);
+  const std::string& source = options.bag.empty() ? options.readings : options.bag;
+  if (options.bag.empty()) {
+    insertReadings(options.readings, mapper);
+  } else {
+    insertBag(options, config.ros, mapper);
+  }
   if (!options.contacts.empty()) {
     for (const Contact& contact : readContacts(options.contacts)) {
       mapper.insert(contact);
     }
   }
-  reportRejections(options.readings, mapper.rejections());
-  if (mapper.readings().empty()) {
-    throw InputError(options.readings + ": no reading can be used: see the warnings above");
+  reportRejections(source, mapper.rejections());
+  const std::shared_ptr<const Snapshot> snapshot = mapper.infer();
+  const auto& heard = snapshot->access_points;
+  if (std::all_of(heard.begin(), heard.end(), [](const auto& ap) { return ap.readings == 0; })) {
+    throw InputError(source + ": no reading of an access point in " + options.access_points +
+                     " can be used; see the warnings above");
   }
-  writeMapFiles(*mapper.infer(), config, options.output);
+  writeMapFiles(*snapshot, config, options.output);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   std::cerr << "sfw: wrote the map to " << options.output << " in "
             << static_cast<int>(elapsed.count() * 1000) << " ms\n";
@@ -82,11 +113,23 @@ void run(const Options& options) {
 }  // namespace
 
 void addMapCommand(CLI::App& sfw) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<MapOptions>();
   CLI::App* map = sfw.add_subcommand("map", "Make a map from a recording.");
-  map->add_option("--readings", options->readings,
-                  "CSV with the columns stamp, x, y, bssid, rssi_dbm")
-      ->required();
+  auto* readings = map->add_option("--readings", options->readings,
+                                   "CSV with the columns stamp, x, y, bssid, rssi_dbm");
+  auto* bag = map->add_option("--bag", options->bag, "bag with /tf and scans");
+  readings->excludes(bag);
+  map->add_option("--scan-topic", options->topics.wifi_scan, "WifiScan messages in the bag")
+      ->capture_default_str();
+  map->add_option("--connection-topic", options->topics.connection,
+                  "wireless_msgs/Connection messages in the bag")
+      ->capture_default_str();
+  map->add_option("--contact-topic", options->topics.contact_points,
+                  "PointCloud2 messages of bumpers in the bag")
+      ->capture_default_str();
+  map->add_option("--map-frame", options->map_frame, "for a bag; default: ros/map_frame");
+  map->add_option("--antenna-frame", options->antenna_frame,
+                  "for a bag; default: ros/antenna_frame");
   map->add_option("--access-points", options->access_points,
                   "YAML: access_points: [{bssid, x, y, z?, name?, tx_dbm?}]")
       ->required();
@@ -94,7 +137,12 @@ void addMapCommand(CLI::App& sfw) {
                   "CSV with the columns stamp, x, y: obstacles that the robot touched");
   map->add_option("--config", options->config, "settings as in config/mapping.yaml");
   map->add_option("--output", options->output, "directory for the map's files")->required();
-  map->callback([options] { run(*options); });
+  map->callback([options, readings, bag] {
+    if (readings->empty() == bag->empty()) {
+      throw InputError("map needs either --readings or --bag");
+    }
+    run(*options);
+  });
 }
 
 }  // namespace sfw

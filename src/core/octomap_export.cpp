@@ -25,6 +25,14 @@ std::string encoded(Write&& write) {
   return stream.str();
 }
 
+/// The header that OctoMap's readers expect; its own writers print to the terminal.
+std::string fileHeader(const char* magic, const octomap::OcTree& tree) {
+  std::ostringstream header;
+  header << magic << "\nid " << tree.getTreeType() << "\nsize " << tree.size() << "\nres "
+         << tree.getResolution() << "\ndata\n";
+  return header.str();
+}
+
 /// The tree with each voxel certain, so that equal neighbours merge.
 octomap::OcTree mostLikely(const octomap::OcTree& tree) {
   octomap::OcTree copy(tree);
@@ -76,11 +84,12 @@ std::unique_ptr<octomap::OcTree> toOctomap(const BeliefMap& belief,
 
 std::string encodeBinaryFile(const octomap::OcTree& tree) {
   const octomap::OcTree binary = mostLikely(tree);
-  return encoded([&](std::ostream& stream) { return binary.writeBinaryConst(stream); });
+  return fileHeader("# Octomap OcTree binary file", binary) +
+         encoded([&](std::ostream& stream) { return binary.writeBinaryData(stream).good(); });
 }
 
 std::string encodeFullFile(const octomap::OcTree& tree) {
-  return encoded([&](std::ostream& stream) { return tree.write(stream); });
+  return fileHeader("# Octomap OcTree file", tree) + encodeFullMessage(tree);
 }
 
 std::string encodeBinaryMessage(const octomap::OcTree& tree) {

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <sstream>
+#include <iterator>
 
 #include "structure_from_wifi/input_error.h"
 
@@ -45,14 +45,15 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 
 std::string readFile(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
+  std::string text;
   if (stream) {
-    text << stream.rdbuf();
+    errno = 0;
+    text.assign(std::istreambuf_iterator<char>(stream), {});
   }
-  if (!stream || text.fail()) {
+  if (!stream || errno != 0) {  // a directory opens, but does not read
     throw InputError(file + ": cannot be read: " + std::strerror(errno));
   }
-  return text.str();
+  return text;
 }
 
 }  // namespace sfw

@@ -6,6 +6,7 @@
 #include <functional>
 #include <stdexcept>
 
+#include "ascii_world.h"
 #include "structure_from_wifi/config_reader.h"
 #include "structure_from_wifi/input_error.h"
 #include "structure_from_wifi/map_server.h"
@@ -16,23 +17,8 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-/// A plan of 1 m cells drawn top row first: '.' free, '#' occupied, '?' unknown.
-Grid<CellState> drawn(const std::vector<std::string>& rows) {
-  const auto width = static_cast<std::int64_t>(rows.front().size());
-  const auto height = static_cast<std::int64_t>(rows.size());
-  Grid<CellState> plan(GridGeometry(1.0, Position::Zero(), width, height));
-  Cell c;
-  for (c.y = 0; c.y < height; ++c.y) {
-    for (c.x = 0; c.x < width; ++c.x) {
-      const char drawing =
-          rows[static_cast<std::size_t>(height - 1 - c.y)][static_cast<std::size_t>(c.x)];
-      plan[c] = drawing == '#'   ? CellState::kOccupied
-                : drawing == '.' ? CellState::kFree
-                                 : CellState::kUnknown;
-    }
-  }
-  return plan;
-}
+/// A plan of 1 m cells.
+Grid<CellState> drawn(const std::vector<std::string>& rows) { return test::world(rows, 1.0); }
 
 std::string messageOf(const std::function<void()>& action) {
   try {
