@@ -1,9 +1,13 @@
 #pragma once
 
-#include <mrpt/maps/COccupancyGridMap2D.h>
+#include <memory>
 
 #include "structure_from_wifi/config.h"
 #include "structure_from_wifi/grid_geometry.h"
+
+namespace mrpt::maps {
+class COccupancyGridMap2D;
+}
 
 namespace sfw {
 
@@ -21,7 +25,7 @@ class BeliefMap {
   BeliefMap(const Grid<float>& occupied, const Config::Belief& config);
 
   const GridGeometry& geometry() const { return geometry_; }
-  const mrpt::maps::COccupancyGridMap2D& grid() const { return grid_; }
+  const mrpt::maps::COccupancyGridMap2D& grid() const { return *grid_; }
 
   /// Probability that a contained cell is occupied.
   float occupied(Cell c) const;
@@ -34,7 +38,7 @@ class BeliefMap {
  private:
   GridGeometry geometry_;
   Config::Belief config_;
-  mrpt::maps::COccupancyGridMap2D grid_;
+  std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> grid_;  // never changes: copies share it
 };
 
 }  // namespace sfw

@@ -30,12 +30,17 @@ class GridGeometry {
   GridGeometry(double resolution_m, const Position& origin, std::int64_t width,
                std::int64_t height);
 
+  /// Farthest from the frame's origin that a map's own may lie [cells]. Beyond, single precision,
+  /// MRPT's and most consumers', does not tell neighbouring cells apart.
+  static constexpr double kFarthestMap = 2097152.0;
+
   /// The smallest grid around `box` whose edges are whole multiples of `step_m`.
   ///
   /// Steps are rounded to whole cells and counted from the map frame's origin, so the result
   /// depends only on the box, grows rarely, and fits OctoMap's lattice.
   /// @throw std::invalid_argument if an argument is not positive and finite, the box is empty or
-  /// not finite, or the grid would have more than `max_cells` cells.
+  /// not finite, or the grid would have more than `max_cells` cells or pass
+  /// kFarthestMap.
   static GridGeometry covering(const Box& box, double resolution_m, double step_m,
                                std::int64_t max_cells);
 

@@ -66,7 +66,7 @@ struct CellEvidence {
 /// @param path      all poses in the order driven: Rule 1 frees their footprints
 /// @param contacts  obstacles touched: they stay occupied under the footprint
 /// @param stop      polled between rays; when it turns true the result is incomplete
-/// Independent of the order of `heard` and of poses that share a cell.
+/// Independent of the order of `heard`, up to the rounding of sums, and of poses that share a cell.
 /// O(path cells x cells of a ray) for each access point.
 Grid<float> inferOccupancy(const GridGeometry& geometry, const std::vector<CountedPath>& heard,
                            const std::vector<Position>& path,

@@ -12,23 +12,29 @@ namespace sfw {
 std::string trinaryPgm(const BeliefMap& belief);
 /// Probability of being occupied: 255 (1 - p), 128 where nothing is known.
 std::string probabilityPgm(const BeliefMap& belief);
-std::string trinaryYaml(const GridGeometry& geometry);
+std::string trinaryYaml(const GridGeometry& geometry, const std::string& image = "map.pgm");
 std::string probabilityYaml(const GridGeometry& geometry);
 
 /// A table that readReadings reads back to the same readings.
 std::string readingsCsv(const std::vector<Reading>& readings);
 
 /// A table that readAccessPoints reads back.
-std::string accessPointsYaml(const std::vector<AccessPointSummary>& access_points);
+std::string accessPointsYaml(const std::vector<AccessPoint>& access_points);
 
 /// Settings, access points with their thresholds, what was left out and why, and areas; no time of
 /// day, so that it repeats.
 std::string reportJson(const Snapshot& snapshot, const Config& config);
 
 /// Writes map.pgm, map.yaml, probability.pgm, probability.yaml, map.bt, map.ot, map.png and
-/// report.json into a directory that is made if missing. Each file appears whole or not at all.
+/// report.json into a directory that is made if missing. No old file is replaced before all new
+/// ones are written whole.
 /// @throw std::system_error or std::invalid_argument naming the file and why.
 void writeMapFiles(const Snapshot& snapshot, const Config& config, const std::string& directory);
+
+/// Writes NAME.pgm and NAME.yaml of states that are known rather than believed.
+/// @throw std::system_error naming the file and why
+void writePlanFiles(const Grid<CellState>& states, const std::string& directory,
+                    const std::string& name);
 
 /// Writes readings.csv and access_points.yaml: what `sfw map` needs to make the map again.
 /// @throw as writeMapFiles

@@ -22,7 +22,16 @@ class Ray {
   /// Calls `visit(Cell)` for each crossed cell in order, both ends included; cells outside the
   /// grid are passed too. O(cells crossed).
   template <class Visitor>
-  void forEachCell(Visitor&& visit) const;
+  void forEachCell(Visitor&& visit) const {
+    forEachCellWhile([&](Cell cell) {
+      visit(cell);
+      return true;
+    });
+  }
+
+  /// As forEachCell, until `visit(Cell)` returns false.
+  template <class Visitor>
+  void forEachCellWhile(Visitor&& visit) const;
 
  private:
   static constexpr int kSubcellBits = 10;
@@ -31,7 +40,7 @@ class Ray {
 };
 
 template <class Visitor>
-void Ray::forEachCell(Visitor&& visit) const {
+void Ray::forEachCellWhile(Visitor&& visit) const {
   constexpr std::int64_t kSubcells = std::int64_t{1} << kSubcellBits;
   const std::int64_t length_x = std::abs(to_x_ - from_x_);
   const std::int64_t length_y = std::abs(to_y_ - from_y_);
@@ -49,8 +58,7 @@ void Ray::forEachCell(Visitor&& visit) const {
   std::int64_t next_x = to_border(from_x_, step_x) * length_y;
   std::int64_t next_y = to_border(from_y_, step_y) * length_x;
 
-  visit(cell);
-  while (cell != last) {
+  while (visit(cell) && cell != last) {
     const bool cross_x = next_x <= next_y;
     const bool cross_y = next_y <= next_x;
     if (cross_x) {
@@ -61,7 +69,6 @@ void Ray::forEachCell(Visitor&& visit) const {
       cell.y += step_y;
       next_y += kSubcells * length_x;
     }
-    visit(cell);
   }
 }
 

@@ -8,5 +8,9 @@ namespace sfw {
 /// cannot do its work; main() turns that into a message and exit status 1.
 void addMapCommand(CLI::App& sfw);
 void addEvaluateCommand(CLI::App& sfw);
+void addVisibilityCommand(CLI::App& sfw);
+void addDenseCommand(CLI::App& sfw);
+void addSimulateCommand(CLI::App& sfw);
+void addBenchCommand(CLI::App& sfw);
 
 }  // namespace sfw

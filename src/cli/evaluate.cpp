@@ -6,11 +6,12 @@
 #include <set>
 
 #include "commands.h"
+#include "figures.h"
 #include "structure_from_wifi/config_reader.h"
 #include "structure_from_wifi/evaluation.h"
 #include "structure_from_wifi/input_error.h"
 #include "structure_from_wifi/map_server.h"
-#include "structure_from_wifi/reading_io.h"
+#include "warnings.h"
 
 namespace sfw {
 namespace {
@@ -24,53 +25,6 @@ struct EvaluateOptions {
   bool json = false;
 };
 
-/// A figure of a group that may be absent as a whole.
-template <class Group, class Value>
-std::optional<double> within(const std::optional<Group>& group, Value Group::*value) {
-  return group ? std::optional<double>((*group).*value) : std::nullopt;
-}
-
-/// Calls `visit(key, text, value)` for each figure, in the order of the table.
-template <class Visitor>
-void forEachFigure(const MapFigures& m, Visitor&& visit) {
-  visit("free_precision", "free: precision", m.free.precision);
-  visit("free_precision_tolerant", "free: precision within 0.1 m", m.free.tolerant_precision);
-  visit("free_recall", "free: recall", m.free.recall);
-  visit("free_iou", "free: intersection over union", m.free.iou);
-  visit("beyond_m2", "free beyond 0.3 m of the path: area found [m2]", m.free.beyond_m2);
-  visit("beyond_precision", "free beyond 0.3 m of the path: precision", m.free.beyond_precision);
-  visit("wall_precision_1", "wall within 0.05 m: precision",
-        within(m.wall_one_cell, &WallFigures::precision));
-  visit("wall_recall_1", "wall within 0.05 m: recall",
-        within(m.wall_one_cell, &WallFigures::recall));
-  visit("wall_f1_1", "wall within 0.05 m: F1", within(m.wall_one_cell, &WallFigures::f1));
-  visit("observed_wall_recall_1", "wall within 0.05 m: recall, observed",
-        within(m.wall_one_cell, &WallFigures::observed_recall));
-  visit("wall_precision_2", "wall within 0.1 m: precision",
-        within(m.wall_two_cells, &WallFigures::precision));
-  visit("wall_recall_2", "wall within 0.1 m: recall",
-        within(m.wall_two_cells, &WallFigures::recall));
-  visit("wall_f1_2", "wall within 0.1 m: F1", within(m.wall_two_cells, &WallFigures::f1));
-  visit("observed_wall_recall_2", "wall within 0.1 m: recall, observed",
-        within(m.wall_two_cells, &WallFigures::observed_recall));
-  visit("wall_in_free", "wall cells that lie in free space", m.wall_in_free);
-  visit("leak", "leak: observed walls called free", m.observed_leak);
-  visit("leak_all_walls", "leak: all walls called free", m.leak);
-  visit("auc", "probability: area under the curve",
-        within(m.probability, &ProbabilityFigures::auc));
-  visit("brier", "probability: Brier score", within(m.probability, &ProbabilityFigures::brier));
-  visit("log_loss", "probability: log-loss [nat]",
-        within(m.probability, &ProbabilityFigures::log_loss));
-}
-
-nlohmann::ordered_json toJson(const MapFigures& figures) {
-  nlohmann::ordered_json json;
-  forEachFigure(figures, [&](const char* key, const char*, std::optional<double> value) {
-    json[key] = value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
-  });
-  return json;
-}
-
 nlohmann::ordered_json toJson(const Evaluation& evaluation) {
   nlohmann::ordered_json json;
   json["free_m2"] = evaluation.free_m2;
@@ -83,8 +37,8 @@ nlohmann::ordered_json toJson(const Evaluation& evaluation) {
   if (evaluation.map.probability) {
     json["probability_cells"] = evaluation.map.probability->cells;
   }
-  json["map"] = toJson(evaluation.map);
-  json["path_only"] = toJson(evaluation.path_only);
+  json["map"] = figuresJson(evaluation.map);
+  json["path_only"] = figuresJson(evaluation.path_only);
   return json;
 }
 
@@ -118,15 +72,6 @@ void printTable(std::ostream& out, const Evaluation& evaluation) {
     printValue(out, *beside++);
     out << '\n';
   });
-}
-
-ReadingFile readWithNotes(const std::string& file) {
-  ReadingFile readings = readReadings(file);
-  for (const auto& [reason, skipped] : readings.skipped) {
-    std::cerr << "sfw: warning: " << file << ": " << skipped.count << " rows skipped: " << reason
-              << " (first: " << skipped.first << ")\n";
-  }
-  return readings;
 }
 
 /// Where the access points stand that the readings speak of: rays lead to no others.
@@ -165,14 +110,14 @@ void runEvaluate(const EvaluateOptions& options) {
         "--readings is missing: the figures are about the room that the path of the readings lies "
         "in");
   }
-  const ReadingFile file = readWithNotes(options.readings);
+  const std::vector<Reading> readings = readWithWarnings(options.readings);
   EvaluationInput input{
       readMap(options.map), readMap(options.truth), {}, {}, readProbabilitiesFor(options)};
-  for (const Reading& reading : file.readings) {
+  for (const Reading& reading : readings) {
     input.path.push_back(reading.antenna_in_map);
   }
   if (!options.access_points.empty()) {
-    input.access_points = heardAccessPoints(options, file.readings);
+    input.access_points = heardAccessPoints(options, readings);
   }
   const Evaluation evaluation = evaluate(input);
   if (options.json) {

@@ -6,11 +6,20 @@
 
 int main(int argc, char** argv) {
   CLI::App app{"Maps a building from odometry and WiFi signal strength.", "sfw"};
-  app.require_subcommand(1);
+  // Not `required`: that would be missed before a misspelt one is named.
+  app.require_subcommand(0, 1);
   sfw::addMapCommand(app);
   sfw::addEvaluateCommand(app);
+  sfw::addVisibilityCommand(app);
+  sfw::addDenseCommand(app);
+  sfw::addSimulateCommand(app);
+  sfw::addBenchCommand(app);
   try {
     app.parse(argc, argv);
+    if (app.get_subcommands().empty()) {
+      std::cerr << "sfw: a subcommand is missing\n" << app.help();
+      return 1;
+    }
     std::cout.flush();
     if (!std::cout) {
       std::cerr << "sfw: standard output cannot be written\n";

@@ -9,7 +9,7 @@
 #include "structure_from_wifi/input_error.h"
 #include "structure_from_wifi/map_files.h"
 #include "structure_from_wifi/mapper.h"
-#include "structure_from_wifi/reading_io.h"
+#include "warnings.h"
 
 namespace sfw {
 namespace {
@@ -26,8 +26,6 @@ struct MapOptions {
   std::string output;
 };
 
-void warn(const std::string& text) { std::cerr << "sfw: warning: " << text << '\n'; }
-
 Config loadConfig(const MapOptions& options) {
   ConfigReading reading;
   if (!options.config.empty()) {
@@ -43,27 +41,25 @@ Config loadConfig(const MapOptions& options) {
   return config;
 }
 
+Mapper mapperFor(const std::string& access_points, const Config& config) {
+  const std::vector<AccessPoint> table = readAccessPoints(access_points);
+  try {
+    return Mapper(config, table);
+  } catch (const InputError& error) {
+    throw InputError(access_points + ": " + error.what());
+  }
+}
+
 void insertBag(const MapOptions& options, const Config::Ros& config, Mapper& mapper) {
   const BagReading reading = readBag(options.bag, options.topics, config, mapper);
   if (reading.malformed > 0) {
     warn(options.bag + ": " + std::to_string(reading.malformed) +
-         " readings left out: bssid or age is malformed");
+         " readings or contacts left out: bssid, age or the cloud's fields are malformed");
   }
   if (reading.unplaced > 0) {
     warn(options.bag + ": " + std::to_string(reading.unplaced) +
          " readings left out: no transform from " + config.antenna_frame + " to " +
          config.map_frame + " at their stamp (" + reading.reason + ")");
-  }
-}
-
-void insertReadings(const std::string& file, Mapper& mapper) {
-  const ReadingFile input = readReadings(file);
-  for (const auto& [reason, skipped] : input.skipped) {
-    warn(file + ": " + std::to_string(skipped.count) + " rows skipped: " + reason + " (first: " +
-         skipped.first + ")");
-  }
-  for (const Reading& reading : input.readings) {
-    mapper.insert(reading);
   }
 }
 
@@ -85,10 +81,12 @@ void reportRejections(const std::string& source, const Rejections& rejections) {
 void run(const MapOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const Config config = loadConfig(options);
-  Mapper mapper(config, readAccessPoints(options.access_points));
+  Mapper mapper = mapperFor(options.access_points, config);
   const std::string& source = options.bag.empty() ? options.readings : options.bag;
   if (options.bag.empty()) {
-    insertReadings(options.readings, mapper);
+    for (const Reading& reading : readWithWarnings(options.readings)) {
+      mapper.insert(reading);
+    }
   } else {
     insertBag(options, config.ros, mapper);
   }

@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <filesystem>
+#include <memory>
 #include <system_error>
 
 namespace sfw {
@@ -18,6 +19,9 @@ namespace {
 class TemporaryFile {
  public:
   explicit TemporaryFile(const std::string& target) : target_(target), name_(target + ".XXXXXX") {
+    if (std::error_code error; std::filesystem::is_directory(target, error)) {
+      fail(target_, EISDIR);  // or it would only show when others are already replaced
+    }
     descriptor_ = mkstemp(name_.data());
     if (descriptor_ < 0) {
       fail(target_, errno);
@@ -48,13 +52,20 @@ class TemporaryFile {
     }
   }
 
-  void keep() {
+  /// Makes sure that all bytes are on the disk.
+  void finish() {
     if (fsync(descriptor_) != 0) {
       fail(target_, errno);
     }
     const int closed = close(descriptor_);
     descriptor_ = -1;
-    if (closed != 0 || rename(name_.c_str(), target_.c_str()) != 0) {
+    if (closed != 0) {
+      fail(target_, errno);
+    }
+  }
+
+  void keep() {
+    if (rename(name_.c_str(), target_.c_str()) != 0) {
       fail(target_, errno);
     }
     kept_ = true;
@@ -70,9 +81,19 @@ class TemporaryFile {
 }  // namespace
 
 void writeAtomically(const std::string& file, const std::string& bytes) {
-  TemporaryFile temporary(file);
-  temporary.write(bytes);
-  temporary.keep();
+  writeAtomically({{file, bytes}});
+}
+
+void writeAtomically(const std::vector<std::pair<std::string, std::string>>& files) {
+  std::vector<std::unique_ptr<TemporaryFile>> temporaries;
+  for (const auto& [file, bytes] : files) {
+    temporaries.push_back(std::make_unique<TemporaryFile>(file));
+    temporaries.back()->write(bytes);
+    temporaries.back()->finish();
+  }
+  for (const auto& temporary : temporaries) {
+    temporary->keep();
+  }
 }
 
 void makeDirectories(const std::string& directory) {

@@ -57,15 +57,19 @@ const char* typeName(double) { return "a number"; }
 const char* typeName(std::int64_t) { return "a whole number"; }
 const char* typeName(const std::string&) { return "a text"; }
 
-/// Every leaf under a node as path -> value.
+/// Every value under a node by its path of two parts at most, as settings have: what stands deeper
+/// is no value of any setting, and may be endless (a YAML alias can hold itself).
 void flatten(const YAML::Node& node, const std::string& path,
              std::map<std::string, YAML::Node>& leaves) {
-  if (!node.IsMap()) {
+  if (!node.IsMap() || path.find('/') != std::string::npos) {
     leaves[path] = node;
     return;
   }
   for (const auto& entry : node) {
-    const auto key = entry.first.as<std::string>();
+    if (!entry.first.IsScalar()) {
+      throw InputError("settings must be groups of 'name: value'");
+    }
+    const std::string& key = entry.first.Scalar();
     if (!path.empty() || key != kAccessPointsKey) {
       flatten(entry.second, path.empty() ? key : path + "/" + key, leaves);
     }

@@ -37,12 +37,22 @@ GridGeometry GridGeometry::covering(const Box& box, double resolution_m, double 
   }
   const double cells_a_step = std::max(1.0, std::round(step_m / resolution_m));
   const double step = cells_a_step * resolution_m;
-  const Position first = (box.min() / step).array().floor();
-  const Position last = (box.max() / step).array().floor() + 1.0;
+  Position first = (box.min() / step).array().floor();
+  Position last = (box.max() / step).array().floor() + 1.0;
+  // Rounding must not leave a corner outside that lies on a step's border.
+  constexpr double kRounding = 1e-9;  // [steps]
+  for (int axis = 0; axis < 2; ++axis) {
+    first[axis] -= first[axis] * cells_a_step * resolution_m > box.min()[axis] ? 1.0 : 0.0;
+    last[axis] += last[axis] - box.max()[axis] / step <= kRounding ? 1.0 : 0.0;
+  }
   const Position cells = (last - first) * cells_a_step;
-  // In floating point, so that nothing can overflow before it is compared.
-  if (cells.x() * cells.y() > static_cast<double>(max_cells)) {
+  // In floating point, so that nothing can overflow before it is compared; NaN is infinity less
+  // infinity.
+  if (!(cells.x() * cells.y() <= static_cast<double>(max_cells))) {
     throw std::invalid_argument("the grid would have more than max_cells cells");
+  }
+  if (first.cwiseAbs().maxCoeff() * cells_a_step > kFarthestMap) {
+    throw std::invalid_argument("the grid would lie over 2097152 cells from the frame's origin");
   }
   const Position origin = first * cells_a_step * resolution_m;
   return {resolution_m, origin, static_cast<std::int64_t>(cells.x()),
@@ -55,8 +65,8 @@ Cell GridGeometry::cellAt(const Position& point) const {
 }
 
 Position GridGeometry::centre(Cell c) const {
-  return origin_ + resolution_m_ * Position(static_cast<double>(c.x) + 0.5,
-                                            static_cast<double>(c.y) + 0.5);
+  return origin_ +
+         resolution_m_ * Position(static_cast<double>(c.x) + 0.5, static_cast<double>(c.y) + 0.5);
 }
 
 Box GridGeometry::box() const {

@@ -9,8 +9,8 @@ namespace sfw {
 namespace {
 
 constexpr float kUnknown = 0.5F;
-constexpr float kFootprint = 0.02F;  // the robot stood there
-constexpr float kContact = 0.95F;    // the robot ran into it
+constexpr float kFootprint = 0.02F;     // the robot stood there
+constexpr float kContact = 0.95F;       // the robot ran into it
 constexpr double kRayCertainty = 0.95;  // no number of correlated rays says more than this
 
 double logit(double p) { return std::log(p / (1.0 - p)); }
@@ -34,9 +34,8 @@ class PathCells {
       enter(from.antenna_in_map, middle, from.walls);
       enter(middle, to.antenna_in_map, to.walls);
     }
-    std::sort(cells_.begin(), cells_.end(), [this](Cell a, Cell b) {
-      return sums_.geometry.index(a) < sums_.geometry.index(b);
-    });
+    std::sort(cells_.begin(), cells_.end(),
+              [this](Cell a, Cell b) { return sums_.geometry.index(a) < sums_.geometry.index(b); });
   }
 
   const std::vector<Cell>& cells() const { return cells_; }
@@ -129,24 +128,26 @@ void addRays(const CountedPath& heard, const Config::Inference& config,
 
 /// Occupancy from fused mass, against the density that any unseen place has.
 float occupancy(const CellEvidence& evidence, double wall_density) {
-  const double mass = std::clamp(evidence.mass(), 1e-6, 1.0 - 1e-6);
+  const double mass = std::clamp(evidence.mass(), 0.0, 1.0);  // a sum may pass 1 by its rounding
   const double probability = logistic(logit(mass) - logit(wall_density));
   return static_cast<float>(std::clamp(probability, 1.0 - kRayCertainty, kRayCertainty));
 }
 
-/// Rule 1: where the robot stood is free.
+/// Rule 1: where the robot stood is free, at least the cell of its antenna.
 void freeFootprints(const std::vector<Position>& path, const Config::Inference& config,
                     Grid<float>& occupied) {
   const GridGeometry& geometry = occupied.geometry;
   const double radius = config.footprint_radius;
   const Position reach(radius, radius);
   for (const Position& pose : path) {
+    const Cell own = geometry.cellAt(pose);
     const Cell low = geometry.cellAt(pose - reach);
     const Cell high = geometry.cellAt(pose + reach);
     Cell c;
     for (c.y = low.y; c.y <= high.y; ++c.y) {
       for (c.x = low.x; c.x <= high.x; ++c.x) {
-        if (geometry.contains(c) && (geometry.centre(c) - pose).norm() <= radius) {
+        const bool covered = c == own || (geometry.centre(c) - pose).norm() <= radius;
+        if (covered && geometry.contains(c)) {
           occupied[c] = kFootprint;
         }
       }
@@ -212,9 +213,8 @@ std::vector<double> wallMass(std::size_t cells, int walls, double wall_cells) {
 }
 
 Grid<float> inferOccupancy(const GridGeometry& geometry, const std::vector<CountedPath>& heard,
-                           const std::vector<Position>& path,
-                           const std::vector<Contact>& contacts, const Config::Inference& config,
-                           const std::atomic<bool>& stop) {
+                           const std::vector<Position>& path, const std::vector<Contact>& contacts,
+                           const Config::Inference& config, const std::atomic<bool>& stop) {
   Grid<CellEvidence> evidence(geometry);
   for (const CountedPath& one : heard) {
     addRays(one, config, stop, evidence);

@@ -5,31 +5,32 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "pgm.h"
 #include "structure_from_wifi/atomic_file.h"
 #include "structure_from_wifi/map_picture.h"
 #include "structure_from_wifi/octomap_export.h"
+#include "text.h"
 
 namespace sfw {
 namespace {
 
 using nlohmann::ordered_json;
 
-/// An 8-bit PGM, top row first, of `pixel(cell)`.
-template <class Pixel>
-std::string encodePgm(const GridGeometry& geometry, Pixel&& pixel) {
-  std::string bytes = "P5\n" + std::to_string(geometry.width()) + " " +
-                      std::to_string(geometry.height()) + "\n255\n";
-  bytes.reserve(bytes.size() + geometry.size());
-  Cell c;
-  for (c.y = geometry.height() - 1; c.y >= 0; --c.y) {
-    for (c.x = 0; c.x < geometry.width(); ++c.x) {
-      bytes.push_back(static_cast<char>(pixel(c)));
-    }
+/// The values that map_server reads as free, occupied and unknown.
+int toPixel(CellState state) {
+  switch (state) {
+    case CellState::kFree:
+      return 254;
+    case CellState::kOccupied:
+      return 0;
+    case CellState::kUnknown:
+      break;
   }
-  return bytes;
+  return 205;
 }
 
 template <class... Arguments>
@@ -63,7 +64,7 @@ ordered_json describe(const Config& config) {
 ordered_json describe(const AccessPointSummary& summary) {
   const AccessPoint& access_point = summary.access_point;
   ordered_json json{{"bssid", access_point.bssid.str()},
-                    {"name", access_point.name},
+                    {"name", asUtf8(access_point.name)},
                     {"x", access_point.position.x()},
                     {"y", access_point.position.y()},
                     {"readings", summary.readings},
@@ -110,17 +111,7 @@ ordered_json describe(const BeliefMap& belief) {
 }  // namespace
 
 std::string trinaryPgm(const BeliefMap& belief) {
-  return encodePgm(belief.geometry(), [&](Cell c) {
-    switch (belief.state(c)) {
-      case CellState::kFree:
-        return 254;
-      case CellState::kOccupied:
-        return 0;
-      case CellState::kUnknown:
-        break;
-    }
-    return 205;
-  });
+  return encodePgm(belief.geometry(), [&](Cell c) { return toPixel(belief.state(c)); });
 }
 
 std::string probabilityPgm(const BeliefMap& belief) {
@@ -129,8 +120,8 @@ std::string probabilityPgm(const BeliefMap& belief) {
   });
 }
 
-std::string trinaryYaml(const GridGeometry& geometry) {
-  return mapYaml("map.pgm", geometry, "trinary", "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
+std::string trinaryYaml(const GridGeometry& geometry, const std::string& image) {
+  return mapYaml(image.c_str(), geometry, "trinary", "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
 }
 
 std::string probabilityYaml(const GridGeometry& geometry) {
@@ -141,22 +132,19 @@ std::string readingsCsv(const std::vector<Reading>& readings) {
   std::string text = "stamp,x,y,bssid,rssi_dbm\n";
   constexpr std::int64_t kSecond = 1000000000;
   for (const Reading& reading : readings) {
-    // Floor, so that times before the epoch keep their fraction positive.
-    const std::int64_t fraction = ((reading.stamp_ns % kSecond) + kSecond) % kSecond;
-    text += formatted("%lld.%09lld,%.4f,%.4f,%s,%.2f\n",
-                      static_cast<long long>((reading.stamp_ns - fraction) / kSecond),
-                      static_cast<long long>(fraction), reading.antenna_in_map.x(),
+    text += formatted("%s%lld.%09lld,%.4f,%.4f,%s,%.2f\n", reading.stamp_ns < 0 ? "-" : "",
+                      std::llabs(reading.stamp_ns / kSecond),
+                      std::llabs(reading.stamp_ns % kSecond), reading.antenna_in_map.x(),
                       reading.antenna_in_map.y(), reading.bssid.str().c_str(), reading.rssi_dbm);
   }
   return text;
 }
 
-std::string accessPointsYaml(const std::vector<AccessPointSummary>& access_points) {
+std::string accessPointsYaml(const std::vector<AccessPoint>& access_points) {
   YAML::Emitter yaml;
   yaml.SetDoublePrecision(std::numeric_limits<double>::max_digits10);
   yaml << YAML::BeginMap << YAML::Key << "access_points" << YAML::Value << YAML::BeginSeq;
-  for (const AccessPointSummary& summary : access_points) {
-    const AccessPoint& access_point = summary.access_point;
+  for (const AccessPoint& access_point : access_points) {
     yaml << YAML::Flow << YAML::BeginMap;
     yaml << YAML::Key << "bssid" << YAML::Value << YAML::DoubleQuoted << access_point.bssid.str();
     yaml << YAML::Key << "name" << YAML::Value << YAML::DoubleQuoted << access_point.name;
@@ -177,8 +165,7 @@ std::string accessPointsYaml(const std::vector<AccessPointSummary>& access_point
 std::string reportJson(const Snapshot& snapshot, const Config& config) {
   double length_m = 0.0;
   for (std::size_t i = 1; i < snapshot.path.size(); ++i) {
-    length_m +=
-        (snapshot.path[i].antenna_in_map - snapshot.path[i - 1].antenna_in_map).norm();
+    length_m += (snapshot.path[i].antenna_in_map - snapshot.path[i - 1].antenna_in_map).norm();
   }
   ordered_json report;
   report["method"] = "k_visibility";
@@ -197,26 +184,36 @@ void writeMapFiles(const Snapshot& snapshot, const Config& config, const std::st
   // Everything is made before anything is written, so what cannot be made leaves no trace.
   const BeliefMap& belief = snapshot.belief;
   const auto tree = toOctomap(belief, config.octomap);
-  const std::vector<std::pair<const char*, std::string>> files{
-      {"map.pgm", trinaryPgm(belief)},
-      {"map.yaml", trinaryYaml(belief.geometry())},
-      {"probability.pgm", probabilityPgm(belief)},
-      {"probability.yaml", probabilityYaml(belief.geometry())},
-      {"map.bt", encodeBinaryFile(*tree)},
-      {"map.ot", encodeFullFile(*tree)},
-      {"map.png", renderPicture(snapshot)},
-      {"report.json", reportJson(snapshot, config)}};
+  const std::vector<std::pair<std::string, std::string>> files{
+      {directory + "/map.pgm", trinaryPgm(belief)},
+      {directory + "/map.yaml", trinaryYaml(belief.geometry())},
+      {directory + "/probability.pgm", probabilityPgm(belief)},
+      {directory + "/probability.yaml", probabilityYaml(belief.geometry())},
+      {directory + "/map.bt", encodeBinaryFile(*tree)},
+      {directory + "/map.ot", encodeFullFile(*tree)},
+      {directory + "/map.png", renderPicture(snapshot)},
+      {directory + "/report.json", reportJson(snapshot, config)}};
   makeDirectories(directory);
-  for (const auto& [name, bytes] : files) {
-    writeAtomically(directory + "/" + name, bytes);
-  }
+  writeAtomically(files);
+}
+
+void writePlanFiles(const Grid<CellState>& states, const std::string& directory,
+                    const std::string& name) {
+  makeDirectories(directory);
+  writeAtomically(directory + "/" + name + ".pgm",
+                  encodePgm(states.geometry, [&](Cell c) { return toPixel(states[c]); }));
+  writeAtomically(directory + "/" + name + ".yaml", trinaryYaml(states.geometry, name + ".pgm"));
 }
 
 void writeRecording(const std::vector<Reading>& readings, const Snapshot& snapshot,
                     const std::string& directory) {
+  std::vector<AccessPoint> access_points;
+  for (const AccessPointSummary& summary : snapshot.access_points) {
+    access_points.push_back(summary.access_point);
+  }
   makeDirectories(directory);
-  writeAtomically(directory + "/readings.csv", readingsCsv(readings));
-  writeAtomically(directory + "/access_points.yaml", accessPointsYaml(snapshot.access_points));
+  writeAtomically({{directory + "/readings.csv", readingsCsv(readings)},
+                   {directory + "/access_points.yaml", accessPointsYaml(access_points)}});
 }
 
 }  // namespace sfw

@@ -10,13 +10,14 @@ namespace sfw {
 namespace {
 
 /// Below the precision of any odometry and any radio, far above that of their arithmetic.
-constexpr double kPositionStep = 1e-4;  // [m]
-constexpr double kRssiStep = 1e-2;      // [dB]
+constexpr double kPositionSteps = 1e4;  // [1/m]
+constexpr double kRssiSteps = 1e2;      // [1/dB]
 
-double rounded(double value, double step) { return std::round(value / step) * step; }
+/// The same number that reading it back from text gives.
+double rounded(double value, double steps) { return std::round(value * steps) / steps; }
 
 Position rounded(const Position& point) {
-  return {rounded(point.x(), kPositionStep), rounded(point.y(), kPositionStep)};
+  return {rounded(point.x(), kPositionSteps), rounded(point.y(), kPositionSteps)};
 }
 
 auto order(const PathPose& pose) {
@@ -40,9 +41,9 @@ std::vector<PathPose> pathOf(const std::vector<Reading>& readings) {
 
 /// Notes a wall count at its pose of the path; of several, the smallest stays.
 void noteWalls(const PathPose& counted, std::vector<PathPose>& path) {
-  const auto at = std::lower_bound(
-      path.begin(), path.end(), counted,
-      [](const PathPose& a, const PathPose& b) { return order(a) < order(b); });
+  const auto at =
+      std::lower_bound(path.begin(), path.end(), counted,
+                       [](const PathPose& a, const PathPose& b) { return order(a) < order(b); });
   at->walls =
       at->walls == PathPose::kNothingHeard ? counted.walls : std::min(at->walls, counted.walls);
 }
@@ -72,12 +73,18 @@ GridGeometry firstGeometry(const Config& config, const std::vector<AccessPoint>&
   if (access_points.empty()) {
     throw InputError("access_points must hold at least one access point");
   }
+  for (const AccessPoint& access_point : access_points) {
+    if (!access_point.position.allFinite()) {
+      throw InputError("access_points: the position of " + access_point.bssid.str() +
+                       " must be finite");
+    }
+  }
   try {
     return geometryAround(extentOf(access_points), config.map);
-  } catch (const std::invalid_argument&) {
-    throw InputError("a map around the access points would have more than map/max_cells = " +
-                     std::to_string(config.map.max_cells) +
-                     " cells; correct their positions or raise map/resolution");
+  } catch (const std::invalid_argument& error) {
+    throw InputError("no map can be made around the access points: " + std::string(error.what()) +
+                     "; correct their positions, or raise map/max_cells (" +
+                     std::to_string(config.map.max_cells) + ") or map/resolution");
   }
 }
 
@@ -167,7 +174,7 @@ Insertion Mapper::accept(const Reading& reading) {
     return examination;
   }
   const Reading kept{reading.stamp_ns, rounded(reading.antenna_in_map), reading.bssid,
-                     rounded(reading.rssi_dbm, kRssiStep)};
+                     rounded(reading.rssi_dbm, kRssiSteps)};
   const Insertion room = makeRoomFor(kept.antenna_in_map);
   if (room != Insertion::kAccepted) {
     return room;
@@ -177,17 +184,15 @@ Insertion Mapper::accept(const Reading& reading) {
 }
 
 Insertion Mapper::insert(const Contact& contact) {
-  if (contacts_.size() >= static_cast<std::size_t>(config_.map.max_readings)) {
-    return Insertion::kTooManyReadings;
-  }
   const Position point = rounded(contact.point_in_map);
-  const Insertion room = makeRoomFor(point);
-  if (room != Insertion::kAccepted) {
-    ++rejections_.count[room];
-    return room;
+  const bool full = contacts_.size() >= static_cast<std::size_t>(config_.map.max_readings);
+  const Insertion insertion = full ? Insertion::kTooManyReadings : makeRoomFor(point);
+  if (insertion == Insertion::kAccepted) {
+    contacts_.push_back({contact.stamp_ns, point});
+  } else {
+    ++rejections_.count[insertion];
   }
-  contacts_.push_back({contact.stamp_ns, point});
-  return room;
+  return insertion;
 }
 
 void Mapper::reset() {
@@ -202,9 +207,8 @@ std::vector<Reading> Mapper::readings() const {
     return std::make_tuple(r.stamp_ns, r.bssid, -r.rssi_dbm, r.antenna_in_map.x(),
                            r.antenna_in_map.y());
   };
-  std::sort(readings.begin(), readings.end(), [&](const Reading& a, const Reading& b) {
-    return full_order(a) < full_order(b);
-  });
+  std::sort(readings.begin(), readings.end(),
+            [&](const Reading& a, const Reading& b) { return full_order(a) < full_order(b); });
   readings.erase(std::unique(readings.begin(), readings.end(),
                              [](const Reading& a, const Reading& b) {
                                return a.stamp_ns == b.stamp_ns && a.bssid == b.bssid;
@@ -261,9 +265,8 @@ std::shared_ptr<const Snapshot> Mapper::infer(const std::atomic<bool>& stop) con
   if (stop) {
     return nullptr;
   }
-  return std::make_shared<const Snapshot>(Snapshot{BeliefMap(occupied, config_.belief),
-                                                   std::move(path), std::move(summaries),
-                                                   rejections_});
+  return std::make_shared<const Snapshot>(Snapshot{
+      BeliefMap(occupied, config_.belief), std::move(path), std::move(summaries), rejections_});
 }
 
 std::vector<double> Mapper::filtered(const Series& series, const Position& access_point) const {
@@ -271,8 +274,8 @@ std::vector<double> Mapper::filtered(const Series& series, const Position& acces
   rssi_dbm.reserve(series.poses.size());
   for (std::size_t i = 0; i < series.poses.size(); ++i) {
     const double distance_m = (series.poses[i].antenna_in_map - access_point).norm();
-    rssi_dbm.push_back(withoutPathLoss(series.rssi_dbm[i], distance_m,
-                                       config_.rssi.path_loss_exponent));
+    rssi_dbm.push_back(
+        withoutPathLoss(series.rssi_dbm[i], distance_m, config_.rssi.path_loss_exponent));
   }
   const auto window = static_cast<std::size_t>(config_.rssi.window);
   return config_.rssi.filter == "mean" ? slidingMean(rssi_dbm, window)

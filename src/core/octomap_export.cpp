@@ -2,6 +2,7 @@
 
 #include <octomap/OcTree.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -43,8 +44,7 @@ octomap::OcTree mostLikely(const octomap::OcTree& tree) {
 
 }  // namespace
 
-std::unique_ptr<octomap::OcTree> toOctomap(const BeliefMap& belief,
-                                           const Config::Octomap& config) {
+std::unique_ptr<octomap::OcTree> toOctomap(const BeliefMap& belief, const Config::Octomap& config) {
   const GridGeometry& geometry = belief.geometry();
   const double resolution = geometry.resolution();
   const Cell first{std::llround(geometry.origin().x() / resolution),
@@ -67,7 +67,11 @@ std::unique_ptr<octomap::OcTree> toOctomap(const BeliefMap& belief,
       if (state == CellState::kUnknown) {
         continue;
       }
-      const float log_odds = octomap::logodds(belief.occupied(c));
+      // OctoMap knows no thresholds: its voxels are occupied from a half on, ours by their state.
+      constexpr float kLeast = 1.0F / 16.0F;  // a step of BeliefMap
+      const float believed = octomap::logodds(belief.occupied(c));
+      const float log_odds =
+          state == CellState::kOccupied ? std::max(believed, kLeast) : std::min(believed, -kLeast);
       const std::int64_t count = state == CellState::kOccupied ? wall_layers : robot_layers;
       for (std::int64_t z = 0; z < count; ++z) {
         const octomap::OcTreeKey key(static_cast<octomap::key_type>(first.x + c.x + kOctomapReach),

@@ -107,11 +107,13 @@ std::optional<Fault> readPosition(const Table& table, std::size_t x, Position& p
 std::optional<Fault> readPlace(const Table& table, std::int64_t& stamp_ns, Position& position) {
   double stamp_s = 0.0;
   std::optional<Fault> fault = readNumber(table, 0, "stamp", -kMaxStamp, kMaxStamp, stamp_s);
-  if (!fault) {
-    fault = readPosition(table, 1, position);
+  if (fault) {
+    return fault;
   }
-  stamp_ns = std::llround(stamp_s * 1e9);
-  return fault;
+  // A double of today's seconds is only good to a quarter of a microsecond.
+  const std::optional<std::int64_t> exact_ns = parseNanoseconds(table.field(0));
+  stamp_ns = exact_ns ? *exact_ns : std::llround(stamp_s * 1e9);
+  return readPosition(table, 1, position);
 }
 
 std::optional<Fault> readReading(const Table& table, Reading& reading) {

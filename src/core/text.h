@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,11 +12,18 @@ namespace sfw {
 /// are ignored), or nothing. NaN and infinities are returned as such.
 std::optional<double> parseNumber(std::string_view text);
 
+/// Nanoseconds in seconds that are spelt as a plain decimal number ("-1.25"): exact, rounded at the
+/// tenth place. Nothing for any other notation, nor beyond +-9e9 s, more than ten digits included.
+std::optional<std::int64_t> parseNanoseconds(std::string_view seconds);
+
 /// Text without leading and trailing blanks.
 std::string_view trimmed(std::string_view text);
 
 /// The parts between separators; always at least one.
 std::vector<std::string_view> split(std::string_view text, char separator);
+
+/// The text with '?' for every byte that is no part of valid UTF-8.
+std::string asUtf8(std::string_view text);
 
 /// The whole file. @throw InputError naming it.
 std::string readFile(const std::string& file);

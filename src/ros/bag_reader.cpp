@@ -47,7 +47,11 @@ std::vector<Observation> observationsOf(const rosbag::MessageInstance& message,
     }
   } else if (topic == plain(topics.contact_points)) {
     if (const auto cloud = message.instantiate<sensor_msgs::PointCloud2>()) {
-      return {toObservation(*cloud, received)};
+      try {
+        return {toObservation(*cloud, received)};
+      } catch (const std::runtime_error&) {
+        ++malformed;
+      }
     }
   }
   return {};
@@ -57,8 +61,8 @@ BagReading read(const std::string& file, const BagTopics& topics, const Config::
                 Mapper& mapper) {
   const rosbag::Bag bag(file, rosbag::bagmode::Read);
   rosbag::View view(bag);
-  const ros::Duration everything = view.getEndTime() - view.getBeginTime() + ros::Duration(3600.0);
-  tf2::BufferCore transforms(everything);
+  // Nothing is too old to be kept, but stamp plus age must fit 32 bits of seconds.
+  tf2::BufferCore transforms(ros::Duration(1e9));
   loadTransforms(bag, transforms);
   BagReading reading;
   for (const rosbag::MessageInstance& message : view) {
@@ -79,7 +83,7 @@ BagReading readBag(const std::string& file, const BagTopics& topics, const Confi
   BagReading reading;
   try {
     reading = read(file, topics, config, mapper);
-  } catch (const rosbag::BagException& error) {
+  } catch (const std::exception& error) {  // from rosbag, or from tf2 or a message that is broken
     throw InputError(file + ": cannot be read as a bag: " + error.what());
   }
   if (reading.observations == 0) {

@@ -19,7 +19,7 @@ struct BagTopics {
 struct BagReading {
   std::size_t observations = 0;  ///< readings and contacts found
   std::size_t unplaced = 0;      ///< of these, those without a transform at their stamp
-  std::size_t malformed = 0;     ///< readings left out before
+  std::size_t malformed = 0;     ///< readings and clouds of contacts left out before
   std::string reason;            ///< tf's words for the last one without a transform
 };
 

@@ -20,8 +20,7 @@ constexpr double kWarningPeriod = 10.0;  // [s]
 
 /// A directory's name that cannot lead out of its parent: letters, digits, '.', '_' and '-'.
 bool isPlainName(const std::string& name) {
-  constexpr char kAllowed[] =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-";
+  constexpr char kAllowed[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-";
   constexpr std::size_t kLongest = 200;
   return !name.empty() && name.size() <= kLongest && name.front() != '.' &&
          name.find_first_not_of(kAllowed) == std::string::npos;
@@ -67,15 +66,19 @@ void MappingNodelet::loadParameters() {
     NODELET_WARN_STREAM(node.getNamespace() << "/" << warning);
   }
   config_ = reading.config;
-  access_points_ = accessPointsFromYaml(settings.IsMap() ? settings["access_points"] : YAML::Node());
+  access_points_ =
+      accessPointsFromYaml(settings.IsMap() ? settings["access_points"] : YAML::Node());
   mapper_.emplace(config_, access_points_);
   queue_.emplace(config_.ros);
+  transforms_.emplace(ros::Duration(config_.ros.tf_cache));
 }
 
 void MappingNodelet::advertise() {
   ros::NodeHandle node = getNodeHandle();
+  // Made first: with a map that cannot be made nothing may be advertised.
+  const std::shared_ptr<const Snapshot> empty = mapper_->infer(stop_);
   publishers_.emplace(node, config_);
-  publishMap();
+  publishers_->publish(empty);
 
   ros::NodeHandle services = getNodeHandle();
   ros::NodeHandle private_services = getPrivateNodeHandle();
@@ -92,23 +95,19 @@ void MappingNodelet::advertise() {
   servers_.push_back(services.advertiseService<Octomap::Request, Octomap::Response>(
       "octomap_full", [this](auto&, auto& response) { return serveOctomap(false, response); }));
   servers_.push_back(private_services.advertiseService<Save::Request, Save::Response>(
-      "save_map",
-      [this](auto& request, auto& response) { return saveMap(request, response); }));
+      "save_map", [this](auto& request, auto& response) { return saveMap(request, response); }));
   servers_.push_back(private_services.advertiseService<Trigger::Request, Trigger::Response>(
       "reset", [this](auto&, auto& response) { return reset(response); }));
 }
 
 void MappingNodelet::subscribe() {
   ros::NodeHandle& node = getNodeHandle();
-  transforms_.emplace(ros::Duration(config_.ros.tf_cache));
   transform_listener_.emplace(*transforms_, node);
   constexpr std::uint32_t kQueue = 1000;
-  subscribers_.push_back(
-      node.subscribe("wifi_scan", kQueue, &MappingNodelet::receiveScan, this));
+  subscribers_.push_back(node.subscribe("wifi_scan", kQueue, &MappingNodelet::receiveScan, this));
   subscribers_.push_back(
       node.subscribe("connection", kQueue, &MappingNodelet::receiveConnection, this));
-  subscribers_.push_back(
-      node.subscribe("contact", kQueue, &MappingNodelet::receiveContact, this));
+  subscribers_.push_back(node.subscribe("contact", kQueue, &MappingNodelet::receiveContact, this));
   subscribers_.push_back(
       node.subscribe("contact_points", kQueue, &MappingNodelet::receiveContactPoints, this));
 }
@@ -168,8 +167,8 @@ void MappingNodelet::step() {
   noticeTimeJump(now);
   placeObservations(now);
   publishers_->publishToNewcomers();
-  if (changed_ && ros::WallTime::now() >= next_publication_) {
-    next_publication_ = ros::WallTime::now() + ros::WallDuration(1.0 / config_.ros.publish_rate);
+  if (changed_ && ros::SteadyTime::now() >= next_publication_) {
+    next_publication_ = ros::SteadyTime::now() + ros::WallDuration(1.0 / config_.ros.publish_rate);
     publishMap();
   }
 }
@@ -183,27 +182,23 @@ void MappingNodelet::noticeTimeJump(const ros::Time& now) {
 }
 
 void MappingNodelet::placeObservations(const ros::Time& now) {
-  if (!transforms_) {
-    return;  // onInit is still on its way
-  }
   const ObservationQueue::Outcome outcome = queue_->place(*transforms_, now, *mapper_);
   changed_ = changed_ || outcome.placed > 0;
   if (outcome.expired > 0) {
     NODELET_WARN_STREAM_THROTTLE(
-        kWarningPeriod, outcome.expired << " readings dropped: no transform from "
-                                        << config_.ros.antenna_frame << " to "
-                                        << config_.ros.map_frame << " at their stamp within "
-                                        << config_.ros.transform_timeout
-                                        << " s; tf says: " << outcome.reason);
+        kWarningPeriod, outcome.expired
+                            << " readings dropped: no transform from " << config_.ros.antenna_frame
+                            << " to " << config_.ros.map_frame << " at their stamp within "
+                            << config_.ros.transform_timeout << " s; tf says: " << outcome.reason);
   }
   if (outcome.crowded_out > 0) {
-    NODELET_WARN_STREAM_THROTTLE(kWarningPeriod,
-                                 outcome.crowded_out << " readings dropped: more than "
+    NODELET_WARN_STREAM_THROTTLE(kWarningPeriod, outcome.crowded_out
+                                                     << " readings dropped: more than "
                                                         "ros/max_waiting wait for a transform");
   }
   for (const auto& [insertion, count] : mapper_->rejections().count) {
-    NODELET_WARN_STREAM_THROTTLE(kWarningPeriod, "Readings left out so far, "
-                                                     << toString(insertion) << ": " << count);
+    NODELET_WARN_STREAM_THROTTLE(
+        kWarningPeriod, "Readings left out so far, " << toString(insertion) << ": " << count);
   }
 }
 
@@ -230,7 +225,7 @@ bool MappingNodelet::serveOctomap(bool binary, octomap_msgs::GetOctomap::Respons
 }
 
 bool MappingNodelet::saveMap(const structure_from_wifi::SaveMap::Request& request,
-               structure_from_wifi::SaveMap::Response& response) {
+                             structure_from_wifi::SaveMap::Response& response) {
   response.success = 0;
   if (!isPlainName(request.directory)) {
     response.message =

@@ -81,8 +81,8 @@ class MappingNodelet : public nodelet::Nodelet {
   std::vector<ros::ServiceServer> servers_;
 
   ros::Time last_now_;
-  ros::WallTime next_publication_;
-  bool changed_ = true;  // since the last publication
+  ros::SteadyTime next_publication_;
+  bool changed_ = false;  // since the last publication
   std::atomic<bool> stop_{false};
   std::thread thread_;
 };

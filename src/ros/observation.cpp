@@ -13,9 +13,10 @@ ros::Time stampOr(const ros::Time& stamp, const ros::Time& now) {
 
 }  // namespace
 
-std::vector<Observation> toObservations(const structure_from_wifi::WifiScan& scan, const ros::Time& now,
-                                        std::size_t& malformed) {
+std::vector<Observation> toObservations(const structure_from_wifi::WifiScan& scan,
+                                        const ros::Time& now, std::size_t& malformed) {
   constexpr std::size_t kMostReadings = 1000;  // what a radio can hear is far less
+  constexpr double kOldest = 3600.0;  // [s]; no cache of scans is older, and ros::Duration throws
   const std::size_t readings = std::min(scan.readings.size(), kMostReadings);
   malformed += scan.readings.size() - readings;
   const ros::Time heard = stampOr(scan.header.stamp, now);
@@ -24,7 +25,7 @@ std::vector<Observation> toObservations(const structure_from_wifi::WifiScan& sca
     const structure_from_wifi::ApReading& reading = scan.readings[i];
     const std::optional<Bssid> bssid = Bssid::parse(reading.bssid);
     const double age = reading.age_s;
-    if (!bssid || !(age >= 0.0 && age < heard.toSec())) {
+    if (!bssid || !(age >= 0.0 && age < std::min(kOldest, heard.toSec()))) {
       ++malformed;
       continue;
     }

@@ -36,8 +36,8 @@ struct Observation {
 /// The readings of a scan, each at its own time: stamp minus age. Without a stamp, `now` counts.
 /// @param malformed is raised by the readings whose bssid cannot be read and by all that a scan
 /// has beyond 1000
-std::vector<Observation> toObservations(const structure_from_wifi::WifiScan& scan, const ros::Time& now,
-                                        std::size_t& malformed);
+std::vector<Observation> toObservations(const structure_from_wifi::WifiScan& scan,
+                                        const ros::Time& now, std::size_t& malformed);
 
 /// Where a bumper without direction is taken to be pressed: ahead of the antenna's frame.
 Observation frontContact(const std::string& antenna_frame, double footprint_radius_m,

@@ -1,7 +1,5 @@
 #include "observation_queue.h"
 
-#include <tf2/exceptions.h>
-
 #include <algorithm>
 
 namespace sfw {
@@ -24,7 +22,8 @@ bool place(const Observation& observation, const Config::Ros& config,
   try {
     map_from_sensor =
         transforms.lookupTransform(config.map_frame, frame, observation.stamp).transform;
-  } catch (const tf2::TransformException& error) {
+  } catch (const std::exception& error) {
+    // Not only tf2's own: it subtracts stamps, and ros::Duration throws if they lie 68 years apart.
     reason = error.what();
     return false;
   }
@@ -47,7 +46,7 @@ void ObservationQueue::push(Observation observation) {
     waiting_.pop_front();
     ++crowded_out_;
   }
-  waiting_.push_back(std::move(observation));
+  waiting_.push_back({std::move(observation), ros::Time()});
 }
 
 void ObservationQueue::clear() {
@@ -55,25 +54,35 @@ void ObservationQueue::clear() {
   waiting_.clear();
 }
 
+bool ObservationQueue::isExpired(const Waiting& waiting, const ros::Time& now) const {
+  // Not by ros::Duration: it throws where stamps lie 68 years apart.
+  const auto is_long_before_now = [&](const ros::Time& time) {
+    return now.toSec() - time.toSec() > config_.transform_timeout;
+  };
+  return is_long_before_now(waiting.observation.stamp) ||
+         (!waiting.since.isZero() && is_long_before_now(waiting.since));
+}
+
 ObservationQueue::Outcome ObservationQueue::place(const tf2::BufferCore& transforms,
                                                   const ros::Time& now, Mapper& mapper) {
-  std::deque<Observation> observations;
+  std::deque<Waiting> all;
   Outcome outcome;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    observations.swap(waiting_);
+    all.swap(waiting_);
     std::swap(outcome.crowded_out, crowded_out_);
   }
-  std::deque<Observation> still_waiting;
-  for (Observation& observation : observations) {
+  std::deque<Waiting> still_waiting;
+  for (Waiting& waiting : all) {
     std::string reason;
-    if (sfw::place(observation, config_, transforms, mapper, reason)) {
+    if (sfw::place(waiting.observation, config_, transforms, mapper, reason)) {
       ++outcome.placed;
-    } else if ((now - observation.stamp).toSec() > config_.transform_timeout) {
+    } else if (isExpired(waiting, now)) {
       ++outcome.expired;
       outcome.reason = reason;
     } else {
-      still_waiting.push_back(std::move(observation));
+      waiting.since = waiting.since.isZero() ? now : waiting.since;
+      still_waiting.push_back(std::move(waiting));
     }
   }
   const std::lock_guard<std::mutex> lock(mutex_);

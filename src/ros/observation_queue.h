@@ -37,19 +37,27 @@ class ObservationQueue {
   /// What became of the observations of one call of place().
   struct Outcome {
     std::size_t placed = 0;
-    std::size_t expired = 0;      ///< waited longer than ros/transform_timeout
+    std::size_t expired = 0;      ///< older than ros/transform_timeout, or waited for so long
     std::size_t crowded_out = 0;  ///< pushed out since the last call
     std::string reason;           ///< tf's words for the last one that expired
   };
 
-  /// Puts into the mapper whatever has a transform by now, and drops what is too old.
-  /// Never waits. @param now the clock of the stamps; zero (not known yet) expires nothing
+  /// Puts into the mapper whatever has a transform by now, and drops what is too old or has waited
+  /// too long, as a stamp in the future does. Never waits.
+  /// @param now the clock of the stamps; zero (not known yet) expires nothing
   Outcome place(const tf2::BufferCore& transforms, const ros::Time& now, Mapper& mapper);
 
  private:
+  struct Waiting {
+    Observation observation;
+    ros::Time since;  // zero before the first attempt to place it
+  };
+
+  bool isExpired(const Waiting& waiting, const ros::Time& now) const;
+
   const Config::Ros config_;
   std::mutex mutex_;
-  std::deque<Observation> waiting_;
+  std::deque<Waiting> waiting_;
   std::size_t crowded_out_ = 0;
 };
 

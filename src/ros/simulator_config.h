@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "structure_from_wifi/simulation.h"
+#include "structure_from_wifi/radio_model.h"
 
 namespace YAML {
 class Node;
@@ -64,12 +64,21 @@ void forEachSimulatorSetting(AnyConfig& config, Visitor&& visit) {
   visit("seed", config.radio.seed);
   visit("radio/rssi_at_1m", config.radio.rssi_at_1m);
   visit("radio/exponent", config.radio.exponent);
-  visit("radio/wall_loss", config.radio.wall_loss);
+  visit("radio/interior_wall_loss", config.radio.interior_wall_loss);
+  visit("radio/interior_wall_variation", config.radio.interior_wall_variation);
+  visit("radio/outer_wall_loss", config.radio.outer_wall_loss);
+  visit("radio/outer_wall_variation", config.radio.outer_wall_variation);
+  visit("radio/saturation", config.radio.saturation);
   visit("radio/shadowing", config.radio.shadowing);
   visit("radio/shadowing_distance", config.radio.shadowing_distance);
   visit("radio/sample_noise", config.radio.sample_noise);
+  visit("radio/access_point_pattern", config.radio.access_point_pattern);
+  visit("radio/robot_pattern", config.radio.robot_pattern);
+  visit("radio/furniture", config.radio.furniture);
+  visit("radio/step", config.radio.step);
   visit("radio/antenna_height", config.radio.antenna_height);
   visit("radio/sensitivity", config.radio.sensitivity);
+  visit("radio/missed", config.radio.missed);
 }
 
 /// Reads settings over the defaults, and the table `access_points`.

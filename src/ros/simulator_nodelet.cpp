@@ -15,6 +15,7 @@
 #include "parameters.h"
 #include "structure_from_wifi/input_error.h"
 #include "structure_from_wifi/map_server.h"
+#include "structure_from_wifi/plan.h"
 #include "structure_from_wifi/reading_io.h"
 
 namespace sfw {
@@ -29,8 +30,6 @@ constexpr std::chrono::milliseconds kSettle{1000};
 
 /// Share of a scan by which one may come early, so that rounding does not delay it by a step.
 constexpr double kRounding = 1e-9;
-
-constexpr float kFrequencyMhz = 2437.0F;  // channel 6, in the band of the model's figures
 
 nav_msgs::OccupancyGrid truthMessage(const Grid<CellState>& plan, const std::string& frame,
                                      const ros::Time& stamp) {
@@ -114,7 +113,7 @@ void SimulatorNodelet::loadWorld() {
   } catch (const InputError& error) {
     throw InputError(config_.route + ": " + error.what());
   }
-  radio_.emplace(*plan_, config_.access_points, config_.radio);
+  radio_.emplace(withMaterials(*plan_), asTransmitters(config_.access_points), config_.radio);
 }
 
 void SimulatorNodelet::advertise() {
@@ -206,14 +205,15 @@ void SimulatorNodelet::sendScan(const ros::Time& stamp, const RobotPose& pose) {
   structure_from_wifi::WifiScan scan;
   scan.header.stamp = stamp;
   scan.header.frame_id = config_.base_frame;
-  for (std::size_t i = 0; i < radio_->accessPoints().size(); ++i) {
-    const std::optional<double> rssi_dbm = radio_->rssi(i, pose.position, scans_);
+  for (std::size_t i = 0; i < radio_->transmitters().size(); ++i) {
+    const std::optional<double> rssi_dbm = radio_->rssi(i, pose, scans_);
     if (rssi_dbm) {
+      const Transmitter& transmitter = radio_->transmitters()[i];
       structure_from_wifi::ApReading reading;
-      reading.bssid = radio_->accessPoints()[i].bssid.str();
-      reading.ssid = radio_->accessPoints()[i].name;
+      reading.bssid = transmitter.access_point.bssid.str();
+      reading.ssid = transmitter.access_point.name;
       reading.rssi_dbm = static_cast<float>(*rssi_dbm);
-      reading.frequency_mhz = kFrequencyMhz;
+      reading.frequency_mhz = static_cast<float>(frequencyMhz(transmitter.band));
       scan.readings.push_back(reading);
     }
   }

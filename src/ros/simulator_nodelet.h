@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "simulator_config.h"
+#include "structure_from_wifi/radio_model.h"
 #include "structure_from_wifi/simulation.h"
 
 namespace sfw {

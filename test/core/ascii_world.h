@@ -9,12 +9,13 @@
 
 namespace sfw::test {
 
-/// A grid from rows of characters, top row first, its lower left corner at the map's origin.
+/// A grid from rows of characters, top row first.
 template <class T, class Convert>
-Grid<T> gridFrom(const std::vector<std::string>& rows, double resolution, Convert&& convert) {
+Grid<T> gridFrom(const std::vector<std::string>& rows, double resolution, Convert&& convert,
+                 const Position& origin = Position::Zero()) {
   const auto width = static_cast<std::int64_t>(rows.front().size());
   const auto height = static_cast<std::int64_t>(rows.size());
-  Grid<T> grid(GridGeometry(resolution, {0.0, 0.0}, width, height));
+  Grid<T> grid(GridGeometry(resolution, origin, width, height));
   for (std::int64_t y = 0; y < height; ++y) {
     const std::string& row = rows[static_cast<std::size_t>(height - 1 - y)];
     for (std::int64_t x = 0; x < width; ++x) {
@@ -25,10 +26,12 @@ Grid<T> gridFrom(const std::vector<std::string>& rows, double resolution, Conver
 }
 
 /// '.' free, '#' occupied, anything else unknown.
-inline Grid<CellState> world(const std::vector<std::string>& rows, double resolution = 0.05) {
-  return gridFrom<CellState>(rows, resolution, [](char c) {
+inline Grid<CellState> world(const std::vector<std::string>& rows, double resolution = 0.05,
+                             const Position& origin = Position::Zero()) {
+  const auto state = [](char c) {
     return c == '.' ? CellState::kFree : c == '#' ? CellState::kOccupied : CellState::kUnknown;
-  });
+  };
+  return gridFrom<CellState>(rows, resolution, state, origin);
 }
 
 /// '#' in the set, anything else outside.

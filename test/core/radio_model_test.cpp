@@ -1,54 +1,22 @@
+#include "structure_from_wifi/radio_model.h"
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
+#include "radio_hall.h"
 #include "structure_from_wifi/input_error.h"
-#include "structure_from_wifi/simulation.h"
 
 namespace sfw {
 namespace {
 
-/// A hall of 0.1 m cells with a wall a metre thick from x = 50 to 51.
-Grid<CellState> hall() {
-  Grid<CellState> plan(GridGeometry(0.1, Position::Zero(), 1000, 400), CellState::kFree);
-  Cell c;
-  for (c.y = 0; c.y < plan.geometry.height(); ++c.y) {
-    for (c.x = 500; c.x < 510; ++c.x) {
-      plan[c] = CellState::kOccupied;
-    }
-  }
-  return plan;
-}
-
-AccessPoint accessPointAt(const Position& position, const char* bssid = "02:00:00:00:00:01") {
-  AccessPoint access_point;
-  access_point.bssid = *Bssid::parse(bssid);
-  access_point.position = position;
-  return access_point;
-}
-
-RadioModel::Config quietRadio() {
-  RadioModel::Config config;
-  config.shadowing = 0.0;
-  config.sample_noise = 0.0;
-  return config;
-}
-
-struct Moments {
-  double mean = 0.0;
-  double deviation = 0.0;
-};
-
-Moments momentsOf(const std::vector<double>& values) {
-  double sum = 0.0, squares = 0.0;
-  for (const double value : values) {
-    sum += value;
-    squares += value * value;
-  }
-  const auto count = static_cast<double>(values.size());
-  return {sum / count, std::sqrt(squares / count - sum * sum / (count * count))};
-}
+using test::accessPointAt;
+using test::dividedHall;
+using test::emptyHall;
+using test::oneAt;
+using test::quietRadio;
 
 std::string messageOf(const std::function<void()>& action) {
   try {
@@ -59,17 +27,22 @@ std::string messageOf(const std::function<void()>& action) {
   return "no error";
 }
 
+RobotPose at(double x, double y, double yaw_rad = 0.0) { return {{x, y}, yaw_rad}; }
+
+// ---- Path loss ----
+
 TEST(RadioModel, LosesByDistanceAndWalls) {
   RadioModel::Config config = quietRadio();
   config.rssi_at_1m = -30.0;
   config.exponent = 2.0;
-  config.wall_loss = 6.0;
-  const RadioModel radio(hall(), {accessPointAt({45.0, 20.0})}, config);
-  EXPECT_NEAR(radio.meanRssi(0, {44.0, 20.0}), -30.0, 1e-9);
-  EXPECT_NEAR(radio.meanRssi(0, {35.0, 20.0}), -50.0, 1e-9);
-  EXPECT_NEAR(radio.meanRssi(0, {55.0, 20.0}), -56.0, 1e-9);
-  EXPECT_EQ(radio.rssi(0, {35.0, 20.0}, 0), -50.0);
-  EXPECT_LE(*radio.rssi(0, {45.0, 20.0}, 0), 0.0);  // on the access point itself
+  config.interior_wall_loss = 6.0;
+  const RadioModel radio(dividedHall(), oneAt({45.0, 20.0}), config);
+  EXPECT_NEAR(radio.meanRssi(0, at(44, 20)), -30.0, 1e-9);
+  EXPECT_NEAR(radio.meanRssi(0, at(35, 20)), -50.0, 1e-9);
+  EXPECT_NEAR(radio.meanRssi(0, at(55, 20)), -56.0, 1e-9);
+  EXPECT_NEAR(*radio.rssi(0, at(35, 20), 0), -50.0, 1e-9);
+  EXPECT_LE(*radio.rssi(0, at(45, 20), 0), 0.0);  // on the access point itself
+  EXPECT_EQ(radio.wallCount(0, {55, 20}), 1);
 }
 
 TEST(RadioModel, AnAccessPointOnTheCeilingIsNeverNear) {
@@ -79,107 +52,138 @@ TEST(RadioModel, AnAccessPointOnTheCeilingIsNeverNear) {
   config.antenna_height = 0.5;
   AccessPoint access_point = accessPointAt({10.0, 10.0});
   access_point.height_m = 3.5;
-  const RadioModel radio(hall(), {access_point}, config);
-  EXPECT_NEAR(radio.meanRssi(0, {10.0, 10.0}), -30.0 - 20.0 * std::log10(3.0), 1e-9);
-  EXPECT_NEAR(radio.meanRssi(0, {14.0, 10.0}), -30.0 - 20.0 * std::log10(5.0), 1e-9);
+  const RadioModel radio(emptyHall(), asTransmitters({access_point}), config);
+  EXPECT_NEAR(radio.meanRssi(0, at(10, 10)), -30.0 - 20.0 * std::log10(3.0), 1e-9);
+  EXPECT_NEAR(radio.meanRssi(0, at(14, 10)), -30.0 - 20.0 * std::log10(5.0), 1e-9);
 }
 
-TEST(RadioModel, SamplesScatterAroundTheMeanInWholeDecibels) {
-  RadioModel::Config config;
-  config.sample_noise = 2.0;
-  const RadioModel radio(hall(), {accessPointAt({10.0, 10.0})}, config);
-  const Position antenna(17.3, 12.1);
-  std::vector<double> errors;
-  for (std::uint64_t sample = 0; sample < 20000; ++sample) {
-    const double rssi_dbm = radio.rssi(0, antenna, sample).value();
-    EXPECT_EQ(rssi_dbm, std::round(rssi_dbm));
-    errors.push_back(rssi_dbm - radio.meanRssi(0, antenna));
-  }
-  const Moments moments = momentsOf(errors);
-  EXPECT_NEAR(moments.mean, 0.0, 0.06);                               // 4 standard errors
-  EXPECT_NEAR(moments.deviation, std::sqrt(4.0 + 1.0 / 12.0), 0.05);  // with the rounding's share
+TEST(RadioModel, SendsWithThePowerOfItsAccessPoint) {
+  AccessPoint weak = accessPointAt({10.0, 10.0});
+  weak.tx_dbm = 14.0;
+  const RadioModel radio(emptyHall(), asTransmitters({weak}), quietRadio());
+  EXPECT_NEAR(radio.meanRssi(0, at(11, 10)), quietRadio().rssi_at_1m - 6.0, 1e-9);
 }
 
-TEST(RadioModel, WallLossAndExponentAreRecoveredFromNoisySamples) {
-  RadioModel::Config config;
-  config.exponent = 1.7;
-  config.wall_loss = 6.1;
-  config.shadowing = 1.0;
-  config.sample_noise = 3.0;
-  config.seed = 7;
-  // The access point stands at the wall's face, so all points at equal distance pair up.
-  const RadioModel radio(hall(), {accessPointAt({50.0 - 1e-6, 20.0})}, config);
-  double sum_h = 0, sum_hh = 0, sum_z = 0, sum_hz = 0, count = 0;
-  double behind = 0.0;
-  for (std::uint64_t sample = 0; sample < 40000; ++sample) {
-    const double distance = 2.0 + 38.0 * static_cast<double>(sample % 400) / 400.0;
-    const double aside = 0.15 * (static_cast<double>(sample / 400) - 50.0);
-    const double along = std::sqrt(std::max(distance * distance - aside * aside, 0.0));
-    if (along < 1.5) {
-      continue;
-    }
-    const double before = radio.rssi(0, {50.0 - along, 20.0 + aside}, 2 * sample).value();
-    const double h = 10.0 * std::log10(distance);
-    sum_h += h;
-    sum_hh += h * h;
-    sum_z += before;
-    sum_hz += h * before;
-    behind += before - radio.rssi(0, {50.0 + along, 20.0 + aside}, 2 * sample + 1).value();
-    count += 1;
-  }
-  const double slope = (count * sum_hz - sum_h * sum_z) / (count * sum_hh - sum_h * sum_h);
-  EXPECT_NEAR(-slope, config.exponent, 0.1);
-  EXPECT_NEAR(behind / count, config.wall_loss, 0.4);
-}
+// ---- Walls ----
 
-TEST(RadioModel, ShadowingHasItsDeviationAndCorrelationLength) {
+TEST(RadioModel, OuterWallsLoseMoreAndEachBandHasItsLosses) {
   RadioModel::Config config = quietRadio();
-  config.shadowing = 3.0;
-  config.shadowing_distance = 1.5;
-  std::vector<double> here;
-  double product = 0.0, far_product = 0.0;
-  for (config.seed = 0; config.seed < 20; ++config.seed) {
-    RadioModel::Config flat = config;
-    flat.shadowing = 0.0;
-    const Grid<CellState> plan(GridGeometry(1.0, Position::Zero(), 40, 40), CellState::kFree);
-    const std::vector<AccessPoint> table = {accessPointAt({20.0, 20.0})};
-    const RadioModel radio(plan, table, config), smooth(plan, table, flat);
-    const auto shadow = [&](const Position& p) {
-      return radio.meanRssi(0, p) - smooth.meanRssi(0, p);
-    };
-    for (int i = 0; i < 400; ++i) {
-      const Position p(1.0 + 1.9 * (i % 20), 1.0 + 1.8 * (i / 20));
-      here.push_back(shadow(p));
-      product += shadow(p) * shadow(p + Position(0.9, 1.2));  // 1.5 m away
-      far_product += shadow(p) * shadow(p + Position(-0.5, 7.5));
+  config.interior_wall_loss = 6.0;
+  config.outer_wall_loss = 13.0;
+  Plan plan = dividedHall();
+  test::buildWall(plan, 60.0, 0.3, Material::kOuterWall);
+  const Transmitter slow{accessPointAt({45, 20}), Band::k2400MHz};
+  const Transmitter fast{accessPointAt({45, 20}), Band::k5000MHz};
+  const RadioModel radio(plan, {slow, fast}, config);
+  const BandFigures on_5_ghz = bandFigures(Band::k5000MHz);
+  EXPECT_NEAR(radio.obstacleLoss(0, {55, 20}), 6.0, 1e-9);
+  EXPECT_NEAR(radio.obstacleLoss(0, {65, 20}), 19.0, 1e-9);
+  EXPECT_NEAR(radio.obstacleLoss(1, {55, 20}), 6.0 * on_5_ghz.interior_wall_factor, 1e-9);
+  EXPECT_NEAR(radio.obstacleLoss(1, {65, 20}),
+              6.0 * on_5_ghz.interior_wall_factor + 13.0 * on_5_ghz.outer_wall_factor, 1e-9);
+  EXPECT_NEAR(radio.meanRssi(0, at(46, 20)) - radio.meanRssi(1, at(46, 20)),
+              20.0 * std::log10(frequencyMhz(Band::k5000MHz) / frequencyMhz(Band::k2400MHz)), 0.01);
+}
+
+TEST(RadioModel, LossesSaturate) {
+  RadioModel::Config config = quietRadio();
+  config.interior_wall_loss = 8.0;
+  config.saturation = 15.0;
+  Plan plan = emptyHall();
+  for (int i = 1; i <= 9; ++i) {
+    test::buildWall(plan, 10.0 * i, 0.2, Material::kInteriorWall);
+  }
+  const RadioModel radio(plan, oneAt({5.0, 20.0}), config);
+  for (int walls = 0; walls <= 9; ++walls) {
+    EXPECT_NEAR(radio.obstacleLoss(0, {5.0 + 10.0 * walls, 20.0}),
+                15.0 * (1.0 - std::exp(-8.0 * walls / 15.0)), 1e-9);
+  }
+}
+
+TEST(RadioModel, AWallsLossBelongsToItsPlaceNotToTheRay) {
+  RadioModel::Config config = quietRadio();
+  config.interior_wall_variation = 2.0;
+  Plan plan = emptyHall();
+  test::buildWall(plan, 50.0, 0.1, Material::kInteriorWall);
+  const std::vector<Transmitter> table =
+      asTransmitters({accessPointAt({45.05, 20.05}), accessPointAt({45.05, 15.05})});
+  const RadioModel radio(plan, table, config);
+  // Both rays go through the wall at (50.05, 20.05).
+  EXPECT_NEAR(radio.obstacleLoss(0, {55.05, 20.05}), radio.obstacleLoss(1, {55.05, 25.05}), 1e-9);
+  EXPECT_GT(std::abs(radio.obstacleLoss(0, {55.05, 20.05}) - config.interior_wall_loss), 1e-3);
+}
+
+TEST(RadioModel, WallsNeverStrengthenASignal) {
+  RadioModel::Config config = quietRadio();
+  config.interior_wall_loss = 1.0;
+  config.interior_wall_variation = 5.0;
+  const RadioModel radio(dividedHall(), oneAt({45.0, 20.0}), config);
+  for (double y = 1.0; y < 40.0; y += 0.7) {
+    EXPECT_GE(radio.obstacleLoss(0, {55.0, y}), 0.0);
+  }
+}
+
+TEST(RadioModel, FurnitureWeakensSignalsAndSaturatesWithTheWalls) {
+  RadioModel::Config config = quietRadio();
+  config.furniture = 5.0;
+  config.saturation = 15.0;
+  const RadioModel radio(dividedHall(), oneAt({45.0, 20.0}), config);
+  EXPECT_EQ(radio.furniture().size(), 440U);  // 99 x 40 m of free space
+  const Position place(52.5, 3.0);
+  const double sum = config.interior_wall_loss + furnitureLoss(radio.furniture(), {45, 20}, place);
+  EXPECT_GT(sum, config.interior_wall_loss);
+  EXPECT_NEAR(radio.obstacleLoss(0, place), 15.0 * (1.0 - std::exp(-sum / 15.0)), 1e-9);
+}
+
+// ---- Samples ----
+
+TEST(RadioModel, SignalsAreWholeSteps) {
+  for (const double step : {1.0, 2.0}) {
+    RadioModel::Config config;
+    config.step = step;
+    const RadioModel radio(emptyHall(), oneAt({10, 10}), config);
+    for (std::uint64_t sample = 0; sample < 200; ++sample) {
+      const double steps = *radio.rssi(0, at(17.3, 12.1), sample) / step;
+      EXPECT_EQ(steps, std::round(steps));
     }
   }
-  const Moments moments = momentsOf(here);
-  const double variance = moments.deviation * moments.deviation;
-  const auto count = static_cast<double>(here.size());
-  EXPECT_NEAR(moments.mean, 0.0, 0.3);
-  EXPECT_NEAR(moments.deviation, 3.0, 0.3);
-  EXPECT_NEAR(product / count / variance, std::exp(-1.0), 0.1);
-  EXPECT_NEAR(far_product / count / variance, 0.0, 0.1);
+}
+
+TEST(RadioModel, WithoutAStepSignalsAreNotRounded) {
+  RadioModel::Config config = quietRadio();
+  const RadioModel radio(emptyHall(), oneAt({10, 10}), config);
+  EXPECT_EQ(*radio.rssi(0, at(17.3, 12.1), 4), radio.meanRssi(0, at(17.3, 12.1)));
+}
+
+TEST(RadioModel, DoesNotHearWhatIsTooWeak) {
+  RadioModel::Config config = quietRadio();
+  config.exponent = 2.0;
+  config.sensitivity = -60.0;
+  const RadioModel radio(emptyHall(), oneAt({10, 10}), config);
+  EXPECT_TRUE(radio.rssi(0, at(15, 10), 0).has_value());
+  EXPECT_FALSE(radio.rssi(0, at(95, 10), 0).has_value());
 }
 
 TEST(RadioModel, DependsOnItsSeedAndArgumentsOnly) {
-  const std::vector<AccessPoint> table = {accessPointAt({10, 10}),
-                                          accessPointAt({10, 10}, "02:00:00:00:00:02")};
+  const std::vector<Transmitter> table =
+      asTransmitters({accessPointAt({10, 10}), accessPointAt({10, 10}, "02:00:00:00:00:02")});
   RadioModel::Config config;
-  const RadioModel radio(hall(), table, config), same(hall(), table, config);
+  config.furniture = 5.0;
+  config.robot_pattern = config.access_point_pattern = 2.0;
+  config.missed = 0.1;
+  const RadioModel radio(dividedHall(), table, config), same(dividedHall(), table, config);
   config.seed = 2;
-  const RadioModel other(hall(), table, config);
-  std::vector<double> forwards, backwards;
+  const RadioModel other(dividedHall(), table, config);
+  std::vector<std::optional<double>> forwards, backwards;
   int differs_by_seed = 0, differs_by_access_point = 0, differs_by_sample = 0;
   for (std::uint64_t i = 0; i < 100; ++i) {
-    const Position p(12.0 + 0.1 * static_cast<double>(i), 11.0);
-    const Position q(12.0 + 0.1 * static_cast<double>(99 - i), 11.0);
-    forwards.push_back(radio.rssi(0, p, i).value());
-    backwards.insert(backwards.begin(), same.rssi(0, q, 99 - i).value());
-    differs_by_seed += forwards.back() != other.rssi(0, p, i).value() ? 1 : 0;
-    differs_by_access_point += forwards.back() != radio.rssi(1, p, i).value() ? 1 : 0;
-    differs_by_sample += forwards.back() != radio.rssi(0, p, i + 1).value() ? 1 : 0;
+    const RobotPose p = at(12.0 + 0.1 * static_cast<double>(i), 11.0, 0.05);
+    const RobotPose q = at(12.0 + 0.1 * static_cast<double>(99 - i), 11.0, 0.05);
+    forwards.push_back(radio.rssi(0, p, i));
+    backwards.insert(backwards.begin(), same.rssi(0, q, 99 - i));
+    differs_by_seed += forwards.back() != other.rssi(0, p, i) ? 1 : 0;
+    differs_by_access_point += forwards.back() != radio.rssi(1, p, i) ? 1 : 0;
+    differs_by_sample += forwards.back() != radio.rssi(0, p, i + 1) ? 1 : 0;
   }
   EXPECT_EQ(forwards, backwards);
   EXPECT_GT(differs_by_seed, 50);
@@ -190,34 +194,25 @@ TEST(RadioModel, DependsOnItsSeedAndArgumentsOnly) {
 TEST(RadioModel, GivesTheSameSignalsOnEveryMachine) {
   RadioModel::Config config;
   config.exponent = 1.7;
-  config.shadowing = 2.5;
-  config.sample_noise = 2.0;
-  const RadioModel radio(hall(), {accessPointAt({10, 10})}, config);
+  const RadioModel radio(dividedHall(), oneAt({10, 10}), config);
   std::vector<double> heard;
   for (std::uint64_t i = 0; i < 8; ++i) {
-    heard.push_back(radio.rssi(0, {12.0 + static_cast<double>(i), 11.0}, i).value());
+    heard.push_back(radio.rssi(0, at(12.0 + static_cast<double>(i), 11.0), i).value());
   }
-  EXPECT_EQ(heard, (std::vector<double>{-39, -42, -47, -41, -43, -47, -54, -50}));
-}
-
-TEST(RadioModel, DoesNotHearWhatIsTooWeak) {
-  RadioModel::Config config = quietRadio();
-  config.exponent = 2.0;
-  config.sensitivity = -60.0;
-  const RadioModel radio(hall(), {accessPointAt({10, 10})}, config);
-  EXPECT_TRUE(radio.rssi(0, {15, 10}, 0).has_value());
-  EXPECT_FALSE(radio.rssi(0, {95, 10}, 0).has_value());
+  EXPECT_EQ(heard, (std::vector<double>{-44, -45, -39, -40, -40, -45, -44, -48}));
 }
 
 TEST(RadioModel, NamesEverySettingOutOfRange) {
   RadioModel::Config config;
   config.exponent = -1.0;
   config.sample_noise = NAN;
+  config.missed = 1.5;
   EXPECT_EQ(messageOf([&] {
-              RadioModel(hall(), {accessPointAt({10, 80})}, config);
+              RadioModel(emptyHall(), oneAt({10, 80}), config);
             }),
             "exponent must lie in 0..10\n"
             "sample_noise must lie in 0..30\n"
+            "missed must lie in 0..1\n"
             "access point 02:00:00:00:00:01 at (10.00, 80.00) is outside the plan");
 }
 

@@ -11,6 +11,7 @@
 #include "structure_from_wifi/input_error.h"
 #include "structure_from_wifi/map_server.h"
 #include "structure_from_wifi/reading_io.h"
+#include "structure_from_wifi/wall_crossings.h"
 
 namespace sfw {
 namespace {
@@ -44,6 +45,15 @@ TEST(Route, DrivesAtConstantSpeedAndTurnsOnTheSpot) {
 
   EXPECT_NEAR((route.poseAt(7.0).position - Position(2, 0.5)).norm(), 0.0, 1e-12);
   EXPECT_NEAR(route.poseAt(7.0).yaw_rad, kPi / 2, 1e-12);
+}
+
+TEST(Route, KnowsTheWayDriven) {
+  const Route route({{0, 0}, {2, 0}, {2, 1}}, 0.5, kPi / 4);  // 4 s, turn of 2 s, 2 s
+  EXPECT_EQ(route.drivenAt(-1.0), 0.0);
+  EXPECT_NEAR(route.drivenAt(3.0), 1.5, 1e-12);
+  EXPECT_NEAR(route.drivenAt(5.0), 2.0, 1e-12);
+  EXPECT_NEAR(route.drivenAt(7.0), 2.5, 1e-12);
+  EXPECT_NEAR(route.drivenAt(100.0), 3.0, 1e-12);
 }
 
 TEST(Route, StaysAtItsEnds) {
@@ -102,69 +112,6 @@ TEST(RequireFree, NamesEachBlockedWayPointAndStretch) {
             "way point 3 (3.50, 1.50) is not free: (3.50, 1.50) is occupied\n"
             "way point 5 (6.50, 0.50) is not free: (6.50, 0.50) is unknown\n"
             "way point 6 (-3.00, 0.00) is not free: (-3.50, -0.50) is outside the plan");
-}
-
-// ---- countWalls ----
-
-/// Both ways, which must agree.
-int wallsBetween(const Grid<CellState>& plan, const Position& a, const Position& b) {
-  EXPECT_EQ(countWalls(plan, a, b), countWalls(plan, b, a));
-  return countWalls(plan, a, b);
-}
-
-TEST(CountWalls, CountsAWallOnceHoweverThick) {
-  const Grid<CellState> plan = drawn({".........",  //
-                                      ".#.###.##",  //
-                                      "........."});
-  EXPECT_EQ(wallsBetween(plan, {0.5, 1.5}, {2.5, 1.5}), 1);
-  EXPECT_EQ(wallsBetween(plan, {0.5, 1.5}, {6.5, 1.5}), 2);
-  EXPECT_EQ(wallsBetween(plan, {0.5, 1.5}, {8.5, 1.5}), 3);
-  EXPECT_EQ(wallsBetween(plan, {0.5, 0.5}, {8.5, 0.5}), 0);
-  EXPECT_EQ(wallsBetween(plan, {2.5, 1.5}, {2.6, 1.4}), 0);
-}
-
-TEST(CountWalls, EndsMayLieInWallsAndOutside) {
-  const Grid<CellState> plan = drawn({"#..#"});
-  EXPECT_EQ(wallsBetween(plan, {0.5, 0.5}, {3.5, 0.5}), 2);
-  EXPECT_EQ(wallsBetween(plan, {-2.0, 0.5}, {6.0, 0.5}), 2);
-  EXPECT_EQ(wallsBetween(plan, {-2.0, 0.5}, {-1.0, 9.5}), 0);
-}
-
-TEST(CountWalls, UnknownIsNoWall) {
-  const Grid<CellState> plan = drawn({"..??.#?#."});
-  EXPECT_EQ(wallsBetween(plan, {0.5, 0.5}, {4.5, 0.5}), 0);
-  EXPECT_EQ(wallsBetween(plan, {0.5, 0.5}, {8.5, 0.5}), 2);
-}
-
-TEST(CountWalls, ASlantedWallHasNoGapsAndCountsOnce) {
-  const Grid<CellState> plan = drawn({".....#",  //
-                                      "....#.",  //
-                                      "...#..",  //
-                                      "..#...",  //
-                                      ".#....",  //
-                                      "#....."});
-  EXPECT_EQ(wallsBetween(plan, {1.5, 4.5}, {4.5, 1.5}), 1);  // through a cell
-  EXPECT_EQ(wallsBetween(plan, {1.5, 3.5}, {3.5, 1.5}), 1);  // exactly between two cells
-  EXPECT_EQ(wallsBetween(plan, {1.5, 2.5}, {2.5, 1.5}), 1);
-  EXPECT_EQ(wallsBetween(plan, {0.5, 2.5}, {5.5, 3.6}), 1);  // along its steps
-  EXPECT_EQ(wallsBetween(plan, {1.5, 3.5}, {4.5, 5.5}), 0);
-}
-
-TEST(CountWalls, IsSymmetricInARandomWorld) {
-  Grid<CellState> plan(GridGeometry(0.5, {-3.0, 2.0}, 40, 30), CellState::kFree);
-  std::uint32_t state = 1;
-  const auto random = [&state] {
-    state = state * 1664525U + 1013904223U;
-    return static_cast<double>(state >> 8) / static_cast<double>(1U << 24);
-  };
-  for (CellState& cell : plan.cells) {
-    cell = random() < 0.3 ? CellState::kOccupied : CellState::kFree;
-  }
-  for (int i = 0; i < 2000; ++i) {
-    const Position a(-4.0 + 22.0 * random(), 1.0 + 17.0 * random());
-    const Position b(-4.0 + 22.0 * random(), 1.0 + 17.0 * random());
-    wallsBetween(plan, a, b);
-  }
 }
 
 // ---- The demo's world ----

@@ -59,7 +59,7 @@ TEST(SimulatorConfig, NamesEveryProblemAtOnce) {
   tree["tf_rate"] = 0;
   tree["time_scale"] = 6;
   tree["base_frame"] = "/base_link";
-  tree["radio"]["wall_loss"] = -1;
+  tree["radio"]["interior_wall_loss"] = -1;
   tree["access_points"][0]["x"] = "left";
   EXPECT_EQ(problemsOf(tree),
             "speed must be a number\n"
@@ -69,7 +69,7 @@ TEST(SimulatorConfig, NamesEveryProblemAtOnce) {
             "tf_rate must lie in 1..1000\n"
             "scan_rate must not exceed tf_rate: each scan is stamped with a transform's time\n"
             "time_scale must be 1 unless publish_clock is true\n"
-            "radio/wall_loss must lie in 0..100");
+            "radio/interior_wall_loss must lie in 0..100");
 }
 
 TEST(SimulatorConfig, NeedsPlanRouteAndAccessPoints) {

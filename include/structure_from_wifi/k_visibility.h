@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+
+#include "structure_from_wifi/grid_geometry.h"
+#include "structure_from_wifi/types.h"
+
+namespace sfw {
+
+/// Values of a k map beside the counts 0..kMostWalls, as k.pgm holds them.
+constexpr std::uint8_t kMostWalls = 250;  ///< higher counts stay here
+constexpr std::uint8_t kNoCount = 254;    ///< outside the building, or not known
+constexpr std::uint8_t kWallCell = 255;
+
+/// k-visibility: walls between an access point and the centre of each free cell.
+///
+/// A wall counts once however many cells thick it is; unknown cells are no wall and get kNoCount,
+/// occupied ones kWallCell. An access point inside a wall hears through that wall for nothing.
+/// Agrees with walking a ray (ray.h) to each cell, up to rays that pass exactly through a corner.
+///
+/// One sweep over the grid: in each of four cones it carries, from row to row away from the access
+/// point, the count as a piecewise constant function of the ray's slope.
+/// O(cells + pieces of each row), and pieces are about the visible wall ends.
+///
+/// @param access_point [m], finite; it may lie outside the grid
+Grid<std::uint8_t> forwardKVisibility(const Grid<CellState>& plan, const Position& access_point);
+
+/// Dense inverse k-visibility: walls from a full k map, by the paper's section III.
+///
+/// Along rays from the access point to all around the grid, walls are what lies between regions of
+/// consecutive counts: the kWallCell cells there, or, in a map that marks no walls, all cells
+/// without a count. Cells with a count are free, all others unknown. The inverse of
+/// forwardKVisibility on each wall that has counted cells on both sides. O(cells).
+Grid<CellState> denseInverseKVisibility(const Grid<std::uint8_t>& k_map,
+                                        const Position& access_point);
+
+}  // namespace sfw

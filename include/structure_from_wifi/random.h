@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace sfw {
+
+/// Random numbers that are the same on every machine up to the last bit of its mathematical
+/// library, unlike those of std::normal_distribution: SplitMix64 (Steele et al. 2014) and
+/// Box-Muller.
+///
+/// One generator for each purpose and item, so that no value depends on how many were drawn before.
+class Random {
+ public:
+  /// @param stream  tells purposes apart
+  /// @param item    tells values for one purpose apart
+  Random(std::int64_t seed, std::uint64_t stream, std::uint64_t item)
+      : state_(scrambled(scrambled(static_cast<std::uint64_t>(seed) + kStep * stream) + item)) {}
+
+  /// In (0, 1].
+  double uniform() {
+    state_ += kStep;
+    return static_cast<double>((scrambled(state_) >> 11) + 1) * 0x1p-53;
+  }
+
+  /// In (low, high].
+  double uniform(double low, double high) { return low + (high - low) * uniform(); }
+
+  /// Of mean 0 and standard deviation 1.
+  double normal() {
+    constexpr double kTwoPi = 6.28318530717958647693;
+    const double radius = std::sqrt(-2.0 * std::log(uniform()));
+    return radius * std::cos(kTwoPi * uniform());
+  }
+
+ private:
+  static constexpr std::uint64_t kStep = 0x9e3779b97f4a7c15;
+
+  static std::uint64_t scrambled(std::uint64_t bits) {
+    bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9;
+    bits = (bits ^ (bits >> 27)) * 0x94d049bb133111eb;
+    return bits ^ (bits >> 31);
+  }
+
+  std::uint64_t state_;
+};
+
+}  // namespace sfw

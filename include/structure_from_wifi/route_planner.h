@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "structure_from_wifi/grid_geometry.h"
+#include "structure_from_wifi/types.h"
+
+namespace sfw {
+
+/// How thoroughly a robot looks around.
+enum class RouteKind {
+  kWalls,  ///< along the walls of every room at a clearance, then across its middle
+  kSparse  ///< a patrol of a few way points a room
+};
+
+/// Which robot drives, and from where.
+struct RoutePlannerConfig {
+  double robot_radius = 0.2;      ///< [m]
+  double clearance = 0.3;         ///< between robot and walls, where there is room for it [m]
+  std::optional<Position> start;  ///< [m], map frame; by default the middle of the widest place
+                                  ///< of the largest region that the robot can reach
+};
+
+/// Every problem of a configuration, one sentence each that starts with the setting's name.
+std::vector<std::string> validate(const RoutePlannerConfig& config);
+
+/// Plans a drive through everything that a round robot can reach from its start.
+///
+/// `kWalls` follows the walls of each room, and of larger things that stand in it, at the
+/// clearance; crosses rooms lengthwise, in lines at most 1.8 m apart; and visits what is still
+/// farther than 0.9 m (as the robot drives) from all that. `kSparse` has a way point in the middle
+/// of each room, and more until no place is farther than about 3 m from one. Rooms are what doors
+/// divide that the robot with its clearance does not fit through; one is finished before the next,
+/// and the nearest is next. Greedy: the drive is not the shortest one.
+///
+/// @return way points [m] from the start on, at least two, centres of cells; they pass requireFree
+/// with the robot's radius.
+/// @throw InputError naming every setting out of range, a start that is not free for the robot, or
+/// that the robot fits nowhere or cannot move.
+/// Deterministic. O(cells log cells) for each stroke of the drive, but mostly far less, as searches
+/// end at the nearest one.
+std::vector<Position> planRoute(const Grid<CellState>& plan, RouteKind kind,
+                                const RoutePlannerConfig& config = {});
+
+}  // namespace sfw

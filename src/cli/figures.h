@@ -1,0 +1,57 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "structure_from_wifi/evaluation.h"
+
+namespace sfw {
+
+/// A figure of a group that may be absent as a whole.
+template <class Group, class Value>
+std::optional<double> within(const std::optional<Group>& group, Value Group::*value) {
+  return group ? std::optional<double>((*group).*value) : std::nullopt;
+}
+
+/// Calls `visit(key, text, value)` for each figure, in the order of the table.
+template <class Visitor>
+void forEachFigure(const MapFigures& m, Visitor&& visit) {
+  visit("free_precision", "free: precision", m.free.precision);
+  visit("free_precision_tolerant", "free: precision within 0.1 m", m.free.tolerant_precision);
+  visit("free_recall", "free: recall", m.free.recall);
+  visit("free_iou", "free: intersection over union", m.free.iou);
+  visit("beyond_m2", "free beyond 0.3 m of the path: area found [m2]", m.free.beyond_m2);
+  visit("beyond_precision", "free beyond 0.3 m of the path: precision", m.free.beyond_precision);
+  visit("wall_precision_1", "wall within 0.05 m: precision",
+        within(m.wall_one_cell, &WallFigures::precision));
+  visit("wall_recall_1", "wall within 0.05 m: recall",
+        within(m.wall_one_cell, &WallFigures::recall));
+  visit("wall_f1_1", "wall within 0.05 m: F1", within(m.wall_one_cell, &WallFigures::f1));
+  visit("observed_wall_recall_1", "wall within 0.05 m: recall, observed",
+        within(m.wall_one_cell, &WallFigures::observed_recall));
+  visit("wall_precision_2", "wall within 0.1 m: precision",
+        within(m.wall_two_cells, &WallFigures::precision));
+  visit("wall_recall_2", "wall within 0.1 m: recall",
+        within(m.wall_two_cells, &WallFigures::recall));
+  visit("wall_f1_2", "wall within 0.1 m: F1", within(m.wall_two_cells, &WallFigures::f1));
+  visit("observed_wall_recall_2", "wall within 0.1 m: recall, observed",
+        within(m.wall_two_cells, &WallFigures::observed_recall));
+  visit("wall_in_free", "wall cells that lie in free space", m.wall_in_free);
+  visit("leak", "leak: observed walls called free", m.observed_leak);
+  visit("leak_all_walls", "leak: all walls called free", m.leak);
+  visit("auc", "probability: area under the curve",
+        within(m.probability, &ProbabilityFigures::auc));
+  visit("brier", "probability: Brier score", within(m.probability, &ProbabilityFigures::brier));
+  visit("log_loss", "probability: log-loss [nat]",
+        within(m.probability, &ProbabilityFigures::log_loss));
+}
+
+inline nlohmann::ordered_json figuresJson(const MapFigures& figures) {
+  nlohmann::ordered_json json;
+  forEachFigure(figures, [&](const char* key, const char*, std::optional<double> value) {
+    json[key] = value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+  });
+  return json;
+}
+
+}  // namespace sfw

@@ -1,0 +1,38 @@
+#include "plan_options.h"
+
+#include <sstream>
+
+#include "structure_from_wifi/input_error.h"
+
+namespace sfw {
+
+Plan PlanArgument::read() const {
+  PlanOptions complete = options;
+  if (metres_per_pixel != 0.0) {
+    complete.metres_per_pixel = metres_per_pixel;
+  }
+  return readPlan(file, complete);
+}
+
+void addPlanOptions(CLI::App& command, PlanArgument& plan) {
+  command.add_option("--plan", plan.file, "floor plan: map_server YAML, HouseExpo JSON, or PNG");
+  command
+      .add_option("--resolution", plan.options.resolution,
+                  "edge of a cell of a plan drawn in metres (HouseExpo) [m]")
+      ->capture_default_str();
+  command.add_option("--metres-per-pixel", plan.metres_per_pixel, "scale of a PNG");
+}
+
+Position parsePosition(const std::string& option, const std::string& text) {
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  Position position;
+  char comma = '\0';
+  stream >> position.x() >> comma >> position.y();
+  if (!stream || comma != ',' || !position.allFinite() || stream.peek() != EOF) {
+    throw InputError(option + " must be X,Y in metres, as in 2.5,1.0; it is '" + text + "'");
+  }
+  return position;
+}
+
+}  // namespace sfw

@@ -1,0 +1,160 @@
+#!/usr/bin/env python3
+"""Runs `sfw` on good input, and asks it for help and for output where none can go.
+
+Usage: command_line_test.py RESULT.xml SFW
+"""
+
+import json
+import os
+import subprocess
+import sys
+import unittest
+
+import junit
+from command_line_case import HEADER, MAP_FILES, NEAR, STRANGER, CommandLine, rows
+
+
+class Help(CommandLine):
+    def test_each_command_explains_itself(self):
+        for command in ([], ["map"], ["evaluate"]):
+            with self.subTest(command=command):
+                run = self.good(self.sfw(*command, "--help"))
+                self.assertIn("Usage: sfw", run.stdout)
+
+    def test_the_programs_help_names_its_commands(self):
+        text = self.good(self.sfw("--help")).stdout
+        for command in ("map", "evaluate"):
+            self.assertIn(command, text)
+
+    def test_unknown_commands_and_options_are_named(self):
+        self.bad(self.sfw("mop"), "mop")
+        self.bad(self.sfw(), "subcommand")
+        self.bad(self.map("--resolution", "0.1"), "--resolution")
+        self.bad(self.sfw("evaluate", "--mup", "x"), "--map")
+
+    def test_missing_options_are_named(self):
+        self.bad(self.sfw("map", "--readings", self.readings, "--output", self.output),
+                 "--access-points")
+        self.bad(self.sfw("map", "--readings", self.readings, "--access-points",
+                          self.access_points), "--output")
+
+
+class GoodInput(CommandLine):
+    def test_writes_all_files_whole(self):
+        self.good(self.map())
+        files = self.bytes_of(self.output)
+        self.assertEqual(sorted(files), MAP_FILES)
+        self.assertTrue(files["map.pgm"].startswith(b"P5"))
+        self.assertTrue(files["map.png"].startswith(b"\x89PNG"))
+        self.assertTrue(files["map.bt"].startswith(b"# Octomap OcTree binary file\n"))
+        self.assertTrue(files["map.ot"].startswith(b"# Octomap OcTree file\n"))
+        report = json.loads(files["report.json"])
+        self.assertEqual([ap["readings"] for ap in report["access_points"]], [120, 120])
+
+    def test_the_same_input_gives_the_same_bytes(self):
+        self.good(self.map())
+        self.good(self.map(output=self.folder / "again"))
+        self.assertEqual(self.bytes_of(self.output), self.bytes_of(self.folder / "again"))
+        self.good(self.map())  # over its own files
+        self.assertEqual(self.bytes_of(self.output), self.bytes_of(self.folder / "again"))
+
+    def test_order_repetition_and_form_of_the_rows_do_not_matter(self):
+        self.good(self.map())
+        table = rows()
+        shuffled = ["y , rssi_dbm,note,bssid,stamp, x"]
+        for row in reversed(table + table[:40]):
+            stamp, x, y, bssid, rssi_dbm = row.split(",")
+            shuffled.append(", ".join([y, rssi_dbm, "-", bssid.upper().replace(":", "-"), stamp, x]))
+        text = "\r\n".join(shuffled) + "\r\n\r\n"
+        self.good(self.map(readings=self.write("shuffled.csv", text), output=self.folder / "again"))
+        self.assertEqual(self.bytes_of(self.output)["map.pgm"],
+                         self.bytes_of(self.folder / "again")["map.pgm"])
+
+    def test_rows_with_faults_are_skipped_and_named(self):
+        faults = ["1.0,nan,2,%s,-50" % NEAR, "1.0,2,2,%s,-50dBm" % NEAR, "1.0,2,2,02:00,-50",
+                  "1.0,2", "1.0,2,2,%s,inf" % NEAR, "1.0,3,-inf,%s,-50" % NEAR]
+        table = rows()
+        text = "\n".join([HEADER] + table[:5] + faults + table[5:]) + "\n"
+        run = self.good(self.map(readings=self.write("faulty.csv", text)))
+        for line, words in ((7, "x 'nan'"), (8, "'-50dBm'"), (9, "'02:00'"), (10, "y ''"),
+                            (11, "'inf'"), (12, "'-inf'")):
+            self.assertIn("line %d: " % line, run.stderr)
+            self.assertIn(words, run.stderr)
+        self.assertIn("faulty.csv", run.stderr)
+        self.good(self.map(output=self.folder / "again"))
+        self.assertEqual(self.bytes_of(self.output)["map.pgm"],
+                         self.bytes_of(self.folder / "again")["map.pgm"])
+
+    def test_what_is_left_out_is_counted_and_named(self):
+        more = ["1.0,2,2,%s,70" % NEAR, "1.0,2,2,%s,-50" % STRANGER, "1.2,2,2,%s,-51" % STRANGER]
+        text = "\n".join([HEADER] + rows() + more)
+        run = self.good(self.map(readings=self.write("more.csv", text)))
+        self.assertIn("1 readings left out: rssi_dbm is not in (-120, 0]", run.stderr)
+        self.assertIn("percent", run.stderr)
+        self.assertIn(STRANGER + ": 2 readings", run.stderr)
+
+    def test_a_misspelt_setting_is_pointed_out(self):
+        config = self.write("config.yaml", "rssi: {windw: 7}")
+        run = self.good(self.map("--config", config))
+        for words in ("config.yaml", "rssi/windw", "rssi/window"):
+            self.assertIn(words, run.stderr)
+
+    def test_evaluates_what_it_made(self):
+        self.good(self.map())
+        run = self.good(self.sfw("evaluate", "--map", self.output / "map.yaml", "--truth",
+                                 self.output / "map.yaml", "--readings", self.readings, "--json"))
+        figures = json.loads(run.stdout)
+        self.assertEqual(figures["map"]["free_precision"], 1.0)
+        self.assertEqual(figures["map"]["free_iou"], 1.0)
+        table = self.good(self.sfw("evaluate", "--map", self.output / "map.yaml", "--truth",
+                                   self.output / "map.yaml", "--readings", self.readings)).stdout
+        self.assertIn("path only", table)
+
+    def test_files_are_as_readable_as_the_umask_says(self):
+        self.good(self.map())
+        mask = os.umask(0)
+        os.umask(mask)
+        self.assertEqual({path.stat().st_mode & 0o777 for path in self.output.iterdir()},
+                         {0o666 & ~mask})
+
+
+class BadOutput(CommandLine):
+    def test_a_file_in_the_way(self):
+        way = self.write("way", "mine")
+        for output in (way, way / "below"):
+            with self.subTest(output=output):
+                self.bad(self.map(output=output), output)
+                self.assertEqual(way.read_text(), "mine")
+
+    def test_a_directory_that_nobody_can_make(self):
+        # /proc refuses root as well.
+        self.bad(self.map(output="/proc/sfw_map"), "/proc/sfw_map")
+
+    def test_a_directory_in_the_place_of_a_file(self):
+        (self.output / "map.yaml").mkdir(parents=True)
+        run = self.map()
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("map.yaml", run.stderr)
+        self.assertEqual([path.name for path in self.output.iterdir()
+                          if path.name not in MAP_FILES], [])
+
+    @unittest.skipIf(os.geteuid() == 0, "root writes everywhere")
+    def test_a_directory_without_permission(self):
+        self.output.mkdir(mode=0o555)
+        run = self.map()
+        self.assertEqual(run.returncode, 1)
+        self.assertIn(str(self.output), run.stderr)
+        self.assertEqual(list(self.output.iterdir()), [])
+
+    def test_a_full_standard_output(self):
+        self.good(self.map())
+        with open("/dev/full", "w") as full:
+            status = subprocess.run(
+                [sys.argv[1], "evaluate", "--map", self.output / "map.yaml", "--truth",
+                 self.output / "map.yaml", "--readings", self.readings, "--json"], stdout=full,
+                stderr=subprocess.DEVNULL, timeout=60).returncode
+        self.assertEqual(status, 1)
+
+
+if __name__ == "__main__":
+    junit.run()

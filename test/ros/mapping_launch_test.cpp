@@ -1,0 +1,244 @@
+// Watches a mapper from its first map to its reset, whoever started it: mapping.launch as a node or
+// in a manager (this test then plays the robot), demo.launch or replay.launch (they bring a robot).
+// The tests build on each other, in this order.
+
+#include <gtest/gtest.h>
+#include <nav_msgs/GetMap.h>
+#include <octomap_msgs/GetOctomap.h>
+#include <ros/ros.h>
+#include <std_srvs/Trigger.h>
+#include <structure_from_wifi/SaveMap.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "mapping_launch_world.h"
+
+namespace sfw {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Mapping = LaunchWorld;
+
+/// Cells of a map with a value.
+std::size_t count(const nav_msgs::OccupancyGrid& map, int value) {
+  return static_cast<std::size_t>(std::count(map.data.begin(), map.data.end(), value));
+}
+
+/// Everything below a directory with its content, to see whether it was touched.
+std::map<fs::path, std::string> contentOf(const fs::path& directory) {
+  std::map<fs::path, std::string> content;
+  if (fs::exists(directory)) {
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(directory)) {
+      std::ifstream stream(entry.path(), std::ios::binary);
+      content[entry.path()] =
+          entry.is_regular_file() ? std::string(std::istreambuf_iterator<char>(stream), {}) : "";
+    }
+  }
+  return content;
+}
+
+structure_from_wifi::SaveMap::Response save(const std::string& directory) {
+  structure_from_wifi::SaveMap call;
+  call.request.directory = directory;
+  EXPECT_TRUE(ros::service::call(Mapping::mapper() + "/save_map", call));
+  return call.response;
+}
+
+TEST_F(Mapping, TheFirstMapComesAtOnceAndIsUnknown) {
+  const ros::WallTime start = ros::WallTime::now();
+  ASSERT_TRUE(spinUntil([] { return world().map != nullptr; }, param("first_map_within", 2.0)));
+  RecordProperty("milliseconds", static_cast<int>((ros::WallTime::now() - start).toSec() * 1000.0));
+  if (param("first_map_is_unknown", true)) {
+    EXPECT_EQ(count(*world().map, -1), world().map->data.size());
+  }
+}
+
+TEST_F(Mapping, TheMapIsLatched) {
+  bool came = false;
+  ros::NodeHandle node;
+  const ros::Subscriber late = node.subscribe<nav_msgs::OccupancyGrid>(
+      "map", 1, [&](const nav_msgs::OccupancyGridConstPtr&) { came = true; });
+  EXPECT_TRUE(spinUntil([&] { return came; }, 5.0));
+}
+
+TEST_F(Mapping, ADriveMakesAMap) {
+  ASSERT_NE(world().map, nullptr);
+  if (param("drive", true)) {
+    ASSERT_TRUE(drive());
+  }
+  ASSERT_TRUE(spinUntil([] { return count(*world().map, 100) > 0 && count(*world().map, 0) > 0; },
+                        param("map_within", 20.0)));
+  waitUntilQuiet();
+  EXPECT_GT(count(*world().map, -1), 0U);
+  EXPECT_GT(count(*world().map, 0), 100U);
+  EXPECT_GE(world().layer->maps(), 2U);
+}
+
+TEST_F(Mapping, MetadataAndProbabilityBelongToTheMap) {
+  ASSERT_TRUE(world().map && world().metadata && world().probability);
+  EXPECT_EQ(*world().metadata, world().map->info);
+  EXPECT_EQ(world().probability->info, world().map->info);
+  ASSERT_EQ(world().probability->data.size(), world().map->data.size());
+  for (std::size_t i = 0; i < world().map->data.size(); ++i) {
+    const int percent = world().probability->data[i];
+    const int state = world().map->data[i];
+    ASSERT_TRUE(percent >= -1 && percent <= 100) << percent;
+    ASSERT_TRUE(state != 100 || percent >= 50) << "cell " << i << " is a wall at " << percent;
+    ASSERT_TRUE(state != 0 || (percent >= 0 && percent <= 50)) << "cell " << i;
+  }
+}
+
+TEST_F(Mapping, DynamicMapIsTheTopicsMap) {
+  nav_msgs::GetMap call;
+  ASSERT_TRUE(ros::service::call("dynamic_map", call));
+  ASSERT_NE(world().map, nullptr);
+  EXPECT_EQ(call.response.map.header.frame_id, world().map->header.frame_id);
+  EXPECT_EQ(call.response.map.info, world().map->info);
+  EXPECT_EQ(call.response.map.data, world().map->data);
+  EXPECT_TRUE(world().layer->accept(call.response.map));
+}
+
+void expectTheMap(const octomap_msgs::Octomap& message, bool binary) {
+  EXPECT_EQ(message.binary != 0, binary);
+  EXPECT_EQ(message.header.frame_id, Mapping::world().map->header.frame_id);
+  const auto tree = OctomapReader::read(message);
+  ASSERT_NE(tree, nullptr);
+  OctomapReader::expectSame(*tree, *Mapping::world().map);
+  const auto floor = OctomapReader::columnsAt(*tree, 0);
+  const double resolution = tree->getResolution();
+  const auto top = [&](const char* height) {
+    return static_cast<int>(
+        std::lround(ros::param::param(Mapping::mapper() + "/octomap/" + height, 0.0) / resolution));
+  };
+  EXPECT_EQ(OctomapReader::columnsAt(*tree, top("wall_height") - 1).first, floor.first);
+  EXPECT_TRUE(OctomapReader::columnsAt(*tree, top("wall_height")).first.empty());
+  EXPECT_EQ(OctomapReader::columnsAt(*tree, top("robot_height") - 1).second, floor.second);
+  EXPECT_TRUE(OctomapReader::columnsAt(*tree, top("robot_height")).second.empty());
+}
+
+TEST_F(Mapping, TheOctomapTopicsHoldTheMap) {
+  ASSERT_TRUE(spinUntil([] { return world().binary && world().full; }, 5.0));
+  expectTheMap(*world().binary, true);
+  expectTheMap(*world().full, false);
+}
+
+TEST_F(Mapping, TheOctomapServicesHoldTheMap) {
+  octomap_msgs::GetOctomap binary, full;
+  ASSERT_TRUE(ros::service::call("octomap_binary", binary));
+  ASSERT_TRUE(ros::service::call("octomap_full", full));
+  expectTheMap(binary.response.map, true);
+  expectTheMap(full.response.map, false);
+}
+
+TEST_F(Mapping, RvizCanShowTheMarkers) {
+  ASSERT_NE(world().markers, nullptr);
+  std::set<std::pair<std::string, int>> names;
+  std::set<std::string> groups;
+  for (const visualization_msgs::Marker& marker : world().markers->markers) {
+    EXPECT_EQ(marker.header.frame_id, world().map->header.frame_id);
+    if (marker.action == visualization_msgs::Marker::DELETEALL) {
+      continue;
+    }
+    EXPECT_TRUE(names.emplace(marker.ns, marker.id).second) << marker.ns << " " << marker.id;
+    groups.insert(marker.ns);
+    EXPECT_GT(marker.scale.z, 0.0);
+    EXPECT_GT(marker.color.a, 0.0F);
+    EXPECT_EQ(marker.pose.orientation.w, 1.0);
+    EXPECT_TRUE(std::isfinite(marker.pose.position.x + marker.pose.position.y));
+    EXPECT_TRUE(marker.colors.empty() || marker.colors.size() == marker.points.size());
+    EXPECT_EQ(marker.type == visualization_msgs::Marker::TEXT_VIEW_FACING, !marker.text.empty());
+  }
+  for (const char* group : {"access_points", "names", "path", "legend"}) {
+    EXPECT_EQ(groups.count(group), 1U) << group;
+  }
+}
+
+TEST_F(Mapping, ThePathIsThatOfTheRobot) {
+  ASSERT_NE(world().path, nullptr);
+  EXPECT_EQ(world().path->header.frame_id, world().map->header.frame_id);
+  ASSERT_GT(world().path->poses.size(), 10U);
+  ros::Time last;
+  for (const geometry_msgs::PoseStamped& pose : world().path->poses) {
+    EXPECT_EQ(pose.header.frame_id, world().path->header.frame_id);
+    EXPECT_LE(last, pose.header.stamp);
+    EXPECT_TRUE(std::isfinite(pose.pose.position.x + pose.pose.position.y));
+    EXPECT_EQ(pose.pose.orientation.w, 1.0);
+    last = pose.header.stamp;
+  }
+}
+
+TEST_F(Mapping, SavesTheMap) {
+  const auto response = save("first");
+  ASSERT_TRUE(response.success) << response.message;
+  waitUntilQuiet();
+  for (const char* file :
+       {"map.yaml", "map.pgm", "probability.yaml", "probability.pgm", "map.bt", "map.ot", "map.png",
+        "report.json", "readings.csv", "access_points.yaml"}) {
+    EXPECT_TRUE(fs::file_size(saveDirectory() / "first" / file) > 0) << file;
+  }
+  octomap::OcTree tree(1.0);
+  ASSERT_TRUE(tree.readBinary((saveDirectory() / "first" / "map.bt").string()));
+  OctomapReader::expectSame(tree, *world().map);
+}
+
+TEST_F(Mapping, SavesNowhereElse) {
+  const auto before = contentOf(saveDirectory().parent_path());
+  for (const std::string& name :
+       {std::string("../x"), std::string(), std::string(";id;"), std::string(300, 'a'),
+        std::string(".."), std::string("."), std::string("/tmp/x"), std::string("a/b"),
+        std::string("$(id)"), std::string("a\nb"), std::string("a\0b", 3)}) {
+    const auto response = save(name);
+    EXPECT_FALSE(response.success) << name;
+    EXPECT_FALSE(response.message.empty()) << name;
+  }
+  EXPECT_EQ(contentOf(saveDirectory().parent_path()), before);
+}
+
+TEST_F(Mapping, LeavesAloneWhatItCannotReplace) {
+  std::ofstream(saveDirectory() / "file") << "mine";
+  fs::create_directories(saveDirectory() / "held" / "readings.csv");
+  std::ofstream(saveDirectory() / "held" / "map.pgm") << "old";
+  const auto before = contentOf(saveDirectory());
+  for (const char* name : {"file", "held"}) {
+    const auto response = save(name);
+    EXPECT_FALSE(response.success) << name;
+    EXPECT_NE(response.message.find((saveDirectory() / name).string()), std::string::npos)
+        << response.message;
+  }
+  EXPECT_EQ(contentOf(saveDirectory()), before);
+}
+
+TEST_F(Mapping, AResetForgetsEverythingButTheGeometry) {
+  waitUntilQuiet();
+  const nav_msgs::MapMetaData info = world().map->info;
+  world().layer->holdGeometry();
+  world().map.reset();
+  world().binary.reset();
+  std_srvs::Trigger call;
+  ASSERT_TRUE(ros::service::call(mapper() + "/reset", call));
+  EXPECT_TRUE(call.response.success);
+  ASSERT_TRUE(spinUntil([] { return world().map && world().binary; }, 5.0));
+  EXPECT_EQ(world().map->info.width, info.width);
+  EXPECT_EQ(world().map->info.height, info.height);
+  EXPECT_EQ(world().map->info.resolution, info.resolution);
+  EXPECT_EQ(world().map->info.origin, info.origin);
+  EXPECT_EQ(count(*world().map, -1), world().map->data.size());
+  const auto tree = OctomapReader::read(*world().binary);
+  ASSERT_NE(tree, nullptr);
+  EXPECT_EQ(tree->size(), 0U);
+}
+
+}  // namespace
+}  // namespace sfw
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "mapping_launch_test");
+  const ros::NodeHandle node;  // keeps ROS up between the tests
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,91 @@
+#!/usr/bin/env python3
+"""Starts mapping_node with parameters good and bad, and ends it.
+
+Usage: node_test.py RESULT.xml MAPPING_NODE
+"""
+
+import pathlib
+import signal
+import sys
+import time
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+
+import junit  # noqa: E402
+from ros_session import RosSession, wait_until  # noqa: E402
+
+NAME = "/mapping_node"
+TABLE = [{"bssid": "02:00:00:00:00:01", "x": 0.5, "y": 0.5}]
+
+
+class Node(unittest.TestCase):
+    def setUp(self):
+        self.session = RosSession()
+        self.session.__enter__()
+        self.addCleanup(self.session.__exit__)
+
+    def start(self, parameters):
+        self.session.set_parameter(NAME, parameters)
+        return self.session.start("node", sys.argv[1])
+
+    def refuses(self, parameters, *words):
+        node = self.start(parameters)
+        self.assertEqual(node.wait(10), 1, self.session.text_of(node))
+        for word in words:
+            self.assertIn(word, self.session.text_of(node))
+
+    def has_map(self):
+        publishers = self.session.master().getSystemState("/test")[2][0]
+        return any(topic == "/map" for topic, _ in publishers)
+
+    def interrupt(self, node):
+        wait_until(self.has_map, 10, "the map")
+        time.sleep(0.3)
+        start = time.monotonic()
+        node.send_signal(signal.SIGINT)
+        status = node.wait(10)
+        return status, time.monotonic() - start
+
+    def test_names_every_bad_parameter(self):
+        self.refuses(
+            {"access_points": TABLE, "map": {"resolution": 0.0, "margin": float("nan")},
+             "rssi": {"window": "wide", "filter": "mode"},
+             "belief": {"free_threshold": 0.9, "occupied_threshold": 0.2},
+             "ros": {"map_frame": "/map"}},
+            *(NAME + "/" + name for name in ("map/resolution", "map/margin", "rssi/window",
+                                             "rssi/filter", "belief/free_threshold",
+                                             "ros/map_frame")))
+
+    def test_names_every_bad_access_point(self):
+        self.refuses({"access_points": TABLE + TABLE + [{"bssid": "home", "x": "left", "y": 1}]},
+                     "access_points[1]", "access_points[2]: 'bssid'", "access_points[2]: 'x'")
+
+    def test_needs_access_points(self):
+        self.refuses({}, NAME + "/access_points")
+        self.refuses({"access_points": []}, NAME + "/access_points")
+
+    def test_refuses_access_points_that_no_map_can_hold(self):
+        far = {"bssid": "02:00:00:00:00:02", "x": 9e5, "y": 9e5}
+        self.refuses({"access_points": TABLE + [far]}, NAME, "map/max_cells")
+
+    def test_warns_of_a_misspelt_parameter(self):
+        node = self.start({"access_points": TABLE, "rssi": {"windw": 5}})
+        self.interrupt(node)
+        for word in (NAME + "/rssi/windw", "rssi/window"):
+            self.assertIn(word, self.session.text_of(node))
+
+    def test_ends_within_a_second(self):
+        status, seconds = self.interrupt(self.start({"access_points": TABLE}))
+        self.assertEqual(status, 0)
+        self.assertLess(seconds, 1.0)
+
+    def test_starts_and_ends_without_a_clock(self):
+        self.session.set_parameter("/use_sim_time", True)
+        status, seconds = self.interrupt(self.start({"access_points": TABLE}))
+        self.assertEqual(status, 0)
+        self.assertLess(seconds, 1.0)
+
+
+if __name__ == "__main__":
+    junit.run()

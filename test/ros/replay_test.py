@@ -1,0 +1,183 @@
+#!/usr/bin/env python3
+"""Replays recordings and compares the maps byte for byte.
+
+Usage: replay_test.py RESULT.xml SFW MAPPING_LAUNCH_TEST
+The same drive as readings.csv, as a bag read by `sfw map`, and as a bag played by replay.launch at
+several rates must give the same map. replay.launch also passes mapping_launch_test.
+"""
+
+import os
+import pathlib
+import shutil
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+sys.path.insert(0, str(ROOT / "test"))
+
+import junit  # noqa: E402
+import recording_bag  # noqa: E402
+from ros_session import RosSession, wait_until  # noqa: E402
+
+TABLE = ROOT / "test" / "data" / "access_points.yaml"
+HOME_A = pathlib.Path(os.environ.get("SFW_SHARED", ROOT.parent / "shared"), "data", "recordings",
+                      "turtlebot_home_a")
+COMPARED = ("map.pgm", "probability.pgm", "map.bt")
+
+
+class Replay(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="sfw_replay_"))
+        self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
+
+    def write(self, stops, messages):
+        recording_bag.write_csv(stops, self.folder / "readings.csv")
+        recording_bag.write_bag(messages, self.folder / "drive.bag")
+        return len({(stop.stamp_ns, bssid) for stop in stops for bssid, _ in stop.readings})
+
+    def mapped(self, name, *source, table=TABLE):
+        """The folder of the map that `sfw map` makes."""
+        text = self.session.run(sys.argv[1], "map", *source, "--access-points", table, "--output",
+                                self.folder / name)
+        self.assertNotIn("left out", text)
+        return self.folder / name
+
+    def launch(self, rate, delay, table=TABLE):
+        return self.session.start(
+            "replay", "roslaunch", ROOT / "launch" / "replay.launch",
+            "bag:=%s" % (self.folder / "drive.bag"), "access_points:=%s" % table, "rviz:=false",
+            "rate:=%g" % rate, "delay:=%g" % delay,
+            "save_directory:=%s" % (self.folder / "saved"))
+
+    def replayed(self, rate, readings, table=TABLE):
+        """The folder that ~save_map fills once it has all readings."""
+        shutil.rmtree(self.folder / "saved", ignore_errors=True)
+        launch = self.launch(rate, 1.5, table)
+        saved = self.folder / "saved" / "all"
+
+        def is_complete():
+            self.assertIsNone(launch.poll(), self.session.text_of(launch))
+            if self.session.master().lookupService("/test", "/mapping/save_map")[0] != 1:
+                return False
+            self.session.run("rosservice", "call", "/mapping/save_map", "{directory: all}")
+            table = (saved / "readings.csv").read_text().splitlines()
+            return len(table) - 1 >= readings
+
+        try:
+            wait_until(is_complete, 40, "%d readings at rate %g" % (readings, rate))
+        except TimeoutError:
+            print(self.session.text_of(launch))
+            raise
+        self.session.stop(launch)
+        name = self.folder / ("rate_%g" % rate)
+        saved.rename(name)
+        return name
+
+    def check(self, readings, rates, table=TABLE):
+        """Makes all maps of the drive written before; says which files differ."""
+        with RosSession(with_master=False) as self.session:
+            maps = [self.mapped("from_csv", "--readings", self.folder / "readings.csv",
+                                table=table),
+                    self.mapped("from_bag", "--bag", self.folder / "drive.bag", table=table)]
+        for rate in rates:
+            with RosSession() as self.session:
+                maps.append(self.replayed(rate, readings, table))
+        differing = ["%s of %s" % (file, made.name) for made in maps[1:] for file in COMPARED
+                     if (made / file).read_bytes() != (maps[0] / file).read_bytes()]
+        self.assertEqual(differing, [], "these are not those of from_csv")
+        pixels = (maps[0] / "map.pgm").read_bytes()
+        self.assertTrue(bytes([0]) in pixels and bytes([254]) in pixels, "the map is empty")
+
+    def test_a_drive_gives_one_map_by_all_ways(self):
+        stops = recording_bag.synthetic_stops()
+        self.check(self.write(stops, recording_bag.plain_messages(stops)), (1, 10))
+
+    def test_an_awkward_bag_gives_the_same_map(self):
+        stops = recording_bag.synthetic_stops(start_ns=1700000000 * 10**9 + 123456789)
+        self.check(self.write(stops, recording_bag.awkward_messages(stops)), (2,))
+
+    @unittest.skipUnless(HOME_A.is_dir(), "%s is missing" % HOME_A)
+    def test_a_real_drive_gives_one_map_by_all_ways(self):
+        stops = recording_bag.recorded_stops(HOME_A / "two_routers.csv", 60)
+        self.check(self.write(stops, recording_bag.plain_messages(stops)), (10,),
+                   HOME_A / "access_points.yaml")
+
+    def test_replay_launch_does_what_mapping_launch_does(self):
+        stops = recording_bag.synthetic_stops()
+        self.write(stops, recording_bag.plain_messages(stops))
+        with RosSession() as self.session:
+            self.session.set_parameter("/launch_test/drive", False)
+            # The test must look before the bag begins, and has the launch file to wait for.
+            self.session.set_parameter("/launch_test/first_map_within", 10)
+            launch = self.launch(8, 4)
+            try:
+                wait_until(lambda: self.session.master().hasParam("/t", "/mapping/ros")[2], 20,
+                           "the launch file's parameters")
+                self.session.run(sys.argv[2], "__name:=launch_test", seconds=60)
+            except AssertionError:
+                print(self.session.text_of(launch))
+                raise
+
+
+class BrokenBags(unittest.TestCase):
+    def setUp(self):
+        self.session = RosSession(with_master=False)
+        self.session.__enter__()
+        self.addCleanup(self.session.__exit__)
+        self.stops = recording_bag.synthetic_stops(20)
+
+    def sfw(self, messages):
+        bag = self.session.folder / "drive.bag"
+        recording_bag.write_bag(messages, bag)
+        return self.session.start("sfw", sys.argv[1], "map", "--bag", bag, "--access-points",
+                                  TABLE, "--output", self.session.folder / "map")
+
+    def ends(self, process, status, *words):
+        self.assertEqual(process.wait(60), status, self.session.text_of(process))
+        for word in words:
+            self.assertIn(word, self.session.text_of(process))
+        self.assertEqual((self.session.folder / "map").exists(), status == 0)
+
+    def test_no_messages(self):
+        self.ends(self.sfw([]), 1, "drive.bag", "/wifi_scan", "--scan-topic")
+
+    def test_no_scans(self):
+        tf = [entry for entry in recording_bag.plain_messages(self.stops) if entry[1] == "/tf"]
+        self.ends(self.sfw(tf), 1, "drive.bag", "/wifi_scan")
+
+    def test_no_transforms(self):
+        scans = [entry for entry in recording_bag.plain_messages(self.stops) if entry[1] != "/tf"]
+        self.ends(self.sfw(scans), 1, "drive.bag", "40 readings left out", "base_link", "map")
+
+    def test_another_type_on_the_topic(self):
+        messages = [(at, "/wifi_scan", message) for at, topic, message
+                    in recording_bag.plain_messages(self.stops) if topic == "/tf"]
+        self.ends(self.sfw(messages), 1, "drive.bag", "/wifi_scan")
+
+    def test_contacts_without_coordinates_are_left_out(self):
+        from sensor_msgs.msg import PointCloud2
+        messages = list(recording_bag.plain_messages(self.stops))
+        messages.append((self.stops[3].stamp_ns, "/contact_points", PointCloud2(width=3, height=1)))
+        self.ends(self.sfw(messages), 0, "drive.bag", "left out")
+
+    def test_wild_stamps_and_ages_do_no_harm(self):
+        messages = list(recording_bag.plain_messages(self.stops))
+        for stamp in (0, 1, 4 * 10**18):
+            scan = recording_bag.scan_of(self.stops[3]._replace(stamp_ns=stamp))
+            for age_s in (0.0, 3e9, 1e30, float("nan")):
+                scan.readings[0].age_s = age_s
+                messages.append((self.stops[3].stamp_ns + 2, "/wifi_scan", scan))
+        self.ends(self.sfw(messages), 0, "drive.bag", "left out")
+
+    def test_a_bag_cut_short(self):
+        bag = self.session.folder / "drive.bag"
+        recording_bag.write_bag(recording_bag.plain_messages(self.stops), bag)
+        bag.write_bytes(bag.read_bytes()[:-100])
+        self.ends(self.session.start("sfw", sys.argv[1], "map", "--bag", bag, "--access-points",
+                                     TABLE, "--output", self.session.folder / "map"),
+                  1, "drive.bag")
+
+
+if __name__ == "__main__":
+    junit.run()
