@@ -12,12 +12,12 @@ namespace sfw {
 
 /// A way to make a map of a recording, for the benchmark's table.
 enum class BenchmarkMethod {
-  kKVisibility,     ///< as shipped: wall counts by K-means
-  kTrueCounts,      ///< the same inference with the true wall counts: what better counts could give
-  kShiftedRadio,    ///< control: signal strengths moved along the path by 1/9 .. 8/9 of the run
-  kNoRadio,         ///< control: the same method with no signal at all, that is Rule 1
-  kAnyRay,          ///< reference: every cell that a ray crosses is free
-  kPathOnly         ///< reference: the path closed and grown, as in evaluate()
+  kKVisibility,   ///< as shipped: wall counts by K-means
+  kTrueCounts,    ///< the same inference with the true wall counts: what better counts could give
+  kShiftedRadio,  ///< control: signal strengths moved along the path by 1/9 .. 8/9 of the run
+  kNoRadio,       ///< control: the same method with no signal at all, that is Rule 1
+  kAnyRay,        ///< reference: every cell that a ray crosses is free
+  kPathOnly       ///< reference: the path closed and grown, as in evaluate()
 };
 
 /// All methods in the order of the table.

@@ -19,12 +19,12 @@ struct Config {
 
   /// From signal strength to wall counts.
   struct Rssi {
-    std::string filter = "median";     ///< of the sliding window: "median" or "mean"
-    std::int64_t window = 5;           ///< readings of one access point, odd
-    double path_loss_exponent = 1.2;   ///< loss by distance taken off before counting; 0: none
-    std::int64_t walls = 0;            ///< largest wall count K; 0 lets the data choose
-    std::int64_t max_walls = 4;        ///< largest K that the data may choose
-    double min_wall_loss = 5.0;        ///< least distance of neighbouring centroids [dB]
+    std::string filter = "median";    ///< of the sliding window: "median" or "mean"
+    std::int64_t window = 5;          ///< readings of one access point, odd
+    double path_loss_exponent = 1.2;  ///< loss by distance taken off before counting; 0: none
+    std::int64_t walls = 0;           ///< largest wall count K; 0 lets the data choose
+    std::int64_t max_walls = 4;       ///< largest K that the data may choose
+    double min_wall_loss = 5.0;       ///< least distance of neighbouring centroids [dB]
   } rssi;
 
   /// From wall counts to cells.

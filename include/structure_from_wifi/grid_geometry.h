@@ -83,7 +83,8 @@ class GridGeometry {
 /// A value for every cell of a geometry, row-major from the lowest y.
 template <class T>
 struct Grid {
-  explicit Grid(const GridGeometry& g, const T& value = T()) : geometry(g), cells(g.size(), value) {}
+  explicit Grid(const GridGeometry& g, const T& value = T())
+      : geometry(g), cells(g.size(), value) {}
 
   T& operator[](Cell c) { return cells[geometry.index(c)]; }
   const T& operator[](Cell c) const { return cells[geometry.index(c)]; }

@@ -69,8 +69,7 @@ struct CellEvidence {
 /// Independent of the order of `heard`, up to the rounding of sums, and of poses that share a cell.
 /// O(path cells x cells of a ray) for each access point.
 Grid<float> inferOccupancy(const GridGeometry& geometry, const std::vector<CountedPath>& heard,
-                           const std::vector<Position>& path,
-                           const std::vector<Contact>& contacts, const Config::Inference& config,
-                           const std::atomic<bool>& stop);
+                           const std::vector<Position>& path, const std::vector<Contact>& contacts,
+                           const Config::Inference& config, const std::atomic<bool>& stop);
 
 }  // namespace sfw

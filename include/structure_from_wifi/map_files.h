@@ -17,6 +17,8 @@ std::string probabilityYaml(const GridGeometry& geometry);
 
 /// A table that readReadings reads back to the same readings.
 std::string readingsCsv(const std::vector<Reading>& readings);
+/// A table that readContacts reads back.
+std::string contactsCsv(const std::vector<Contact>& contacts);
 
 /// A table that readAccessPoints reads back.
 std::string accessPointsYaml(const std::vector<AccessPoint>& access_points);
@@ -36,9 +38,10 @@ void writeMapFiles(const Snapshot& snapshot, const Config& config, const std::st
 void writePlanFiles(const Grid<CellState>& states, const std::string& directory,
                     const std::string& name);
 
-/// Writes readings.csv and access_points.yaml: what `sfw map` needs to make the map again.
+/// Writes readings.csv, contacts.csv and access_points.yaml: what `sfw map` needs to make the map
+/// again.
 /// @throw as writeMapFiles
-void writeRecording(const std::vector<Reading>& readings, const Snapshot& snapshot,
-                    const std::string& directory);
+void writeRecording(const std::vector<Reading>& readings, const std::vector<Contact>& contacts,
+                    const Snapshot& snapshot, const std::string& directory);
 
 }  // namespace sfw

@@ -19,11 +19,11 @@ namespace sfw {
 enum class Insertion {
   kAccepted,
   kPositionNotFinite,
-  kPositionTooFar,        ///< the map would pass map/max_cells
+  kPositionTooFar,  ///< the map would pass map/max_cells
   kRssiNotFinite,
-  kRssiOutOfRange,        ///< not in (-120, 0] dBm; positive values are often percent
-  kUnknownAccessPoint,    ///< not in the table: kept, but only its pose counts, as path
-  kTooManyReadings,       ///< map/max_readings
+  kRssiOutOfRange,      ///< not in (-120, 0] dBm; positive values are often percent
+  kUnknownAccessPoint,  ///< not in the table: kept, but only its pose counts, as path
+  kTooManyReadings,     ///< map/max_readings
 };
 
 /// A short name for counters and messages.
@@ -33,7 +33,7 @@ const char* toString(Insertion insertion);
 struct PathPose {
   std::int64_t stamp_ns = 0;
   Position antenna_in_map = Position::Zero();  ///< [m]
-  int walls = kNothingHeard;  ///< fewest walls to any access point heard here
+  int walls = kNothingHeard;                   ///< fewest walls to any access point heard here
 
   static constexpr int kNothingHeard = -1;
 };
@@ -54,8 +54,8 @@ struct Rejections {
 /// A map with all that went into it. Immutable, shared between threads.
 struct Snapshot {
   BeliefMap belief;
-  std::vector<PathPose> path;                       ///< in the order driven
-  std::vector<AccessPointSummary> access_points;    ///< in the order of the table
+  std::vector<PathPose> path;                     ///< in the order driven
+  std::vector<AccessPointSummary> access_points;  ///< in the order of the table
   Rejections rejections;
 };
 
@@ -83,6 +83,9 @@ class Mapper {
 
   /// Everything kept, once, by stamp and bssid: what a file needs to make the same map again.
   std::vector<Reading> readings() const;
+
+  /// Every contact kept, in order of arrival.
+  const std::vector<Contact>& contacts() const { return contacts_; }
 
   const Rejections& rejections() const { return rejections_; }
 

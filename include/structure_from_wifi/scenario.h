@@ -23,10 +23,10 @@ struct Scenario {
 /// What to make of a plan.
 struct ScenarioConfig {
   NoiseLevel level = NoiseLevel::kRealistic;
-  std::string path = "walls";         ///< "walls", "sparse" or a CSV file of way points
-  double robot_radius = 0.15;         ///< [m]
-  std::int64_t seed = 1;              ///< decides all that is random
-  std::int64_t access_points = 1;     ///< how many to place, if none are given
+  std::string path = "walls";      ///< "walls", "sparse" or a CSV file of way points
+  double robot_radius = 0.15;      ///< [m]
+  std::int64_t seed = 1;           ///< decides all that is random
+  std::int64_t access_points = 1;  ///< how many to place, if none are given
 };
 
 /// A locally administered address, 02:00:00:00:00:01 for 1.
@@ -35,8 +35,7 @@ Bssid numberedBssid(std::size_t number);
 /// Places for access points: free, 0.3 m or more from walls, and far from each other.
 /// @throw InputError if the plan has no such place.
 /// Deterministic; O(cells).
-std::vector<AccessPoint> placeAccessPoints(const Plan& plan, std::int64_t count,
-                                           std::int64_t seed);
+std::vector<AccessPoint> placeAccessPoints(const Plan& plan, std::int64_t count, std::int64_t seed);
 
 /// Chooses access points (unless `access_points` names them), path and noise.
 /// @throw InputError if the path or an access point does not fit the plan.

@@ -47,10 +47,10 @@ struct Contact {
 /// A transmitter at a known place.
 struct AccessPoint {
   Bssid bssid;
-  std::string name;                         ///< for people; may be empty
-  Position position = Position::Zero();     ///< [m], map frame
-  std::optional<double> height_m;           ///< above the floor
-  std::optional<double> tx_dbm;             ///< transmitted power
+  std::string name;                      ///< for people; may be empty
+  Position position = Position::Zero();  ///< [m], map frame
+  std::optional<double> height_m;        ///< above the floor
+  std::optional<double> tx_dbm;          ///< transmitted power
 };
 
 /// Axis-aligned rectangle in the map frame [m].

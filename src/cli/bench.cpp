@@ -159,7 +159,8 @@ void run(const BenchOptions& options) {
 void addBenchCommand(CLI::App& sfw) {
   const auto options = std::make_shared<BenchOptions>();
   CLI::App* command = sfw.add_subcommand(
-      "bench", "Map many simulated recordings and print the figures beside references and controls.");
+      "bench",
+      "Map many simulated recordings and print the figures beside references and controls.");
   command->add_option("--plan", options->plans, "plan files, or directories of them");
   command->add_option("--generate", options->generate, "buildings to make up")
       ->check(CLI::Range(0, 10000));

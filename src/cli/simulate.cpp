@@ -60,14 +60,13 @@ void run(SimulateOptions options) {
   const SimulatedRecording recording = simulate(scenario);
   makeDirectories(options.output);
   writePlanFiles(toStates(plan), options.output, "truth");
-  writeAtomically(options.output + "/access_points.yaml",
-                  accessPointsYaml(scenario.access_points));
+  writeAtomically(options.output + "/access_points.yaml", accessPointsYaml(scenario.access_points));
   if (options.bag) {
     writeBag(options.output + "/recording.bag", recording, Config().ros);
   }
   writeAtomically(options.output + "/readings.csv", readingsCsv(recording.readings));
-  std::cerr << "sfw: wrote " << recording.readings.size() << " readings, access points and truth to "
-            << options.output << '\n';
+  std::cerr << "sfw: wrote " << recording.readings.size()
+            << " readings, access points and truth to " << options.output << '\n';
 }
 
 }  // namespace

@@ -14,8 +14,8 @@ void showProgress(std::size_t done, std::size_t all) {
   }
   constexpr std::size_t kWidth = 40;
   const std::size_t filled = kWidth * done / all;
-  std::cerr << "\r[" << std::string(filled, '=') << std::string(kWidth - filled, ' ') << "] " << done
-            << '/' << all << (done == all ? "\n" : "") << std::flush;
+  std::cerr << "\r[" << std::string(filled, '=') << std::string(kWidth - filled, ' ') << "] "
+            << done << '/' << all << (done == all ? "\n" : "") << std::flush;
 }
 
 std::vector<Reading> readWithWarnings(const std::string& file) {

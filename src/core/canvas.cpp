@@ -21,9 +21,8 @@ Canvas::Canvas(const Box& area) : area_(area) {
   scale_ = kLongSide / size.maxCoeff();
   width_ = std::max(kLeastWidth, std::ceil(size.x() * scale_) + 2 * kBorder);
   map_height_ = std::ceil(size.y() * scale_);
-  surface_.reset(
-      cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width_),
-                                 static_cast<int>(map_height_ + 2 * kBorder + kFooter)));
+  surface_.reset(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width_),
+                                            static_cast<int>(map_height_ + 2 * kBorder + kFooter)));
   context_.reset(cairo_create(surface_.get()));
   cairo_select_font_face(context_.get(), "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
                          CAIRO_FONT_WEIGHT_NORMAL);

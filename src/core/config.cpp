@@ -54,8 +54,8 @@ std::vector<std::string> validate(const Config& config) {
   rules.require(config.rssi.window >= 1 && config.rssi.window % 2 == 1, "rssi/window",
                 config.rssi.window, "odd and at least 1");
   rules.notNegative("rssi/path_loss_exponent", config.rssi.path_loss_exponent);
-  rules.require(config.rssi.walls >= 0 && config.rssi.walls <= 20, "rssi/walls",
-                config.rssi.walls, "in 0..20");
+  rules.require(config.rssi.walls >= 0 && config.rssi.walls <= 20, "rssi/walls", config.rssi.walls,
+                "in 0..20");
   rules.require(config.rssi.max_walls >= 1 && config.rssi.max_walls <= 20, "rssi/max_walls",
                 config.rssi.max_walls, "in 1..20");
   rules.positive("rssi/min_wall_loss", config.rssi.min_wall_loss);

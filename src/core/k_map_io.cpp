@@ -84,9 +84,8 @@ KMap readKMap(const std::string& file) {
 void writeKMap(const KMap& k_map, const std::string& directory) {
   const std::string picture = renderPicture(k_map);
   makeDirectories(directory);
-  writeAtomically(directory + "/k.pgm", encodePgm(k_map.counts.geometry, [&](Cell c) {
-                    return k_map.counts[c];
-                  }));
+  writeAtomically(directory + "/k.pgm",
+                  encodePgm(k_map.counts.geometry, [&](Cell c) { return k_map.counts[c]; }));
   writeAtomically(directory + "/k.yaml", encodeYaml(k_map));
   writeAtomically(directory + "/k.png", picture);
 }

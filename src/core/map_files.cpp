@@ -108,6 +108,14 @@ ordered_json describe(const BeliefMap& belief) {
           {"occupied_m2", static_cast<double>(occupied) * area}};
 }
 
+/// "stamp,x,y", to the nanosecond and to Mapper's 0.1 mm.
+std::string placeCsv(std::int64_t stamp_ns, const Position& position) {
+  constexpr std::int64_t kSecond = 1000000000;
+  return formatted("%s%lld.%09lld,%.4f,%.4f", stamp_ns < 0 ? "-" : "",
+                   std::llabs(stamp_ns / kSecond), std::llabs(stamp_ns % kSecond), position.x(),
+                   position.y());
+}
+
 }  // namespace
 
 std::string trinaryPgm(const BeliefMap& belief) {
@@ -130,12 +138,17 @@ std::string probabilityYaml(const GridGeometry& geometry) {
 
 std::string readingsCsv(const std::vector<Reading>& readings) {
   std::string text = "stamp,x,y,bssid,rssi_dbm\n";
-  constexpr std::int64_t kSecond = 1000000000;
   for (const Reading& reading : readings) {
-    text += formatted("%s%lld.%09lld,%.4f,%.4f,%s,%.2f\n", reading.stamp_ns < 0 ? "-" : "",
-                      std::llabs(reading.stamp_ns / kSecond),
-                      std::llabs(reading.stamp_ns % kSecond), reading.antenna_in_map.x(),
-                      reading.antenna_in_map.y(), reading.bssid.str().c_str(), reading.rssi_dbm);
+    text += placeCsv(reading.stamp_ns, reading.antenna_in_map) +
+            formatted(",%s,%.2f\n", reading.bssid.str().c_str(), reading.rssi_dbm);
+  }
+  return text;
+}
+
+std::string contactsCsv(const std::vector<Contact>& contacts) {
+  std::string text = "stamp,x,y\n";
+  for (const Contact& contact : contacts) {
+    text += placeCsv(contact.stamp_ns, contact.point_in_map) + "\n";
   }
   return text;
 }
@@ -205,14 +218,15 @@ void writePlanFiles(const Grid<CellState>& states, const std::string& directory,
   writeAtomically(directory + "/" + name + ".yaml", trinaryYaml(states.geometry, name + ".pgm"));
 }
 
-void writeRecording(const std::vector<Reading>& readings, const Snapshot& snapshot,
-                    const std::string& directory) {
+void writeRecording(const std::vector<Reading>& readings, const std::vector<Contact>& contacts,
+                    const Snapshot& snapshot, const std::string& directory) {
   std::vector<AccessPoint> access_points;
   for (const AccessPointSummary& summary : snapshot.access_points) {
     access_points.push_back(summary.access_point);
   }
   makeDirectories(directory);
   writeAtomically({{directory + "/readings.csv", readingsCsv(readings)},
+                   {directory + "/contacts.csv", contactsCsv(contacts)},
                    {directory + "/access_points.yaml", accessPointsYaml(access_points)}});
 }
 

@@ -8,7 +8,8 @@ namespace {
 /// The nearest sub-cell that is strictly inside the cell which holds the coordinate.
 std::int64_t snap(double cells, std::int64_t subcells) {
   const auto cell = static_cast<std::int64_t>(std::floor(cells));
-  const auto nearest = static_cast<std::int64_t>(std::llround(cells * static_cast<double>(subcells)));
+  const auto nearest =
+      static_cast<std::int64_t>(std::llround(cells * static_cast<double>(subcells)));
   return std::clamp(nearest, cell * subcells + 1, (cell + 1) * subcells - 1);
 }
 

@@ -88,8 +88,8 @@ std::vector<AccessPoint> placeAccessPoints(const Plan& plan, std::int64_t count,
     Position best = places.front();
     double best_distance = -1.0;
     for (int candidate = 0; candidate < (i == 0 ? 1 : kCandidates); ++candidate) {
-      const auto index = static_cast<std::size_t>((1.0 - random.uniform()) *
-                                                  static_cast<double>(places.size()));
+      const auto index =
+          static_cast<std::size_t>((1.0 - random.uniform()) * static_cast<double>(places.size()));
       const double distance = distanceToNearest(places[index], access_points);
       if (distance > best_distance) {
         best_distance = distance;

@@ -18,10 +18,10 @@ MapPublishers::MapPublishers(ros::NodeHandle& node, const Config& config) : conf
   markers_ = node.advertise<visualization_msgs::MarkerArray>("markers", 1, kLatched);
   path_ = node.advertise<nav_msgs::Path>("path", 1, kLatched);
   const auto connected = [this](const ros::SingleSubscriberPublisher&) { octomap_due_ = true; };
-  octomap_binary_ = node.advertise<octomap_msgs::Octomap>("octomap_binary", 1, connected, {}, {},
-                                                          kLatched);
-  octomap_full_ = node.advertise<octomap_msgs::Octomap>("octomap_full", 1, connected, {}, {},
-                                                        kLatched);
+  octomap_binary_ =
+      node.advertise<octomap_msgs::Octomap>("octomap_binary", 1, connected, {}, {}, kLatched);
+  octomap_full_ =
+      node.advertise<octomap_msgs::Octomap>("octomap_full", 1, connected, {}, {}, kLatched);
 }
 
 void MapPublishers::publish(const std::shared_ptr<const Snapshot>& snapshot) {

@@ -240,7 +240,7 @@ bool MappingNodelet::saveMap(const structure_from_wifi::SaveMap::Request& reques
       return true;
     }
     const Snapshot& snapshot = *publishers_->lastSnapshot();
-    writeRecording(mapper_->readings(), snapshot, directory);
+    writeRecording(mapper_->readings(), mapper_->contacts(), snapshot, directory);
     writeMapFiles(snapshot, config_, directory);
     response.success = 1;
     response.message = directory;

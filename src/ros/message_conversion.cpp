@@ -99,15 +99,15 @@ visualization_msgs::Marker pathMarker(const Snapshot& snapshot, const std_msgs::
 
 void addAccessPoints(const Snapshot& snapshot, const std_msgs::Header& header,
                      visualization_msgs::MarkerArray& markers) {
-  constexpr double kBall = 0.3;         // [m]
-  constexpr double kUsualHeight = 1.0;  // [m], where the table gives none
-  constexpr Colour kViolet{0.55, 0.10, 0.65};
+  constexpr double kBall = 0.3;                // [m]
+  constexpr double kUsualHeight = 1.0;         // [m], where the table gives none
+  constexpr Colour kViolet{0.75, 0.20, 0.90};  // legible on free and occupied cells alike
   for (std::size_t i = 0; i < snapshot.access_points.size(); ++i) {
     const AccessPoint& access_point = snapshot.access_points[i].access_point;
     const double height = access_point.height_m.value_or(kUsualHeight);
     const int id = static_cast<int>(i);
-    visualization_msgs::Marker ball = marker(header, "access_points", id,
-                                             visualization_msgs::Marker::SPHERE, kBall, kViolet);
+    visualization_msgs::Marker ball =
+        marker(header, "access_points", id, visualization_msgs::Marker::SPHERE, kBall, kViolet);
     ball.pose.position = toPoint(access_point.position, height);
     markers.markers.push_back(ball);
     const bool shares_place =
@@ -205,8 +205,7 @@ visualization_msgs::MarkerArray toMarkers(const Snapshot& snapshot,
   return markers;
 }
 
-octomap_msgs::Octomap toBinaryOctomap(const octomap::OcTree& tree,
-                                      const std_msgs::Header& header) {
+octomap_msgs::Octomap toBinaryOctomap(const octomap::OcTree& tree, const std_msgs::Header& header) {
   return toOctomap(tree, header, true, encodeBinaryMessage(tree));
 }
 

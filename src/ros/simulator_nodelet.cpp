@@ -12,6 +12,7 @@
 #include <pluginlib/class_list_macros.hpp>
 #include <sstream>
 
+#include "message_conversion.h"
 #include "parameters.h"
 #include "structure_from_wifi/input_error.h"
 #include "structure_from_wifi/map_server.h"
@@ -30,26 +31,6 @@ constexpr std::chrono::milliseconds kSettle{1000};
 
 /// Share of a scan by which one may come early, so that rounding does not delay it by a step.
 constexpr double kRounding = 1e-9;
-
-nav_msgs::OccupancyGrid truthMessage(const Grid<CellState>& plan, const std::string& frame,
-                                     const ros::Time& stamp) {
-  nav_msgs::OccupancyGrid message;
-  message.header.frame_id = frame;
-  message.header.stamp = stamp;
-  message.info.map_load_time = stamp;
-  message.info.resolution = static_cast<float>(plan.geometry.resolution());
-  message.info.width = static_cast<std::uint32_t>(plan.geometry.width());
-  message.info.height = static_cast<std::uint32_t>(plan.geometry.height());
-  message.info.origin.position.x = plan.geometry.origin().x();
-  message.info.origin.position.y = plan.geometry.origin().y();
-  message.info.origin.orientation.w = 1.0;
-  message.data.resize(plan.cells.size());
-  std::transform(plan.cells.begin(), plan.cells.end(), message.data.begin(), [](CellState state) {
-    constexpr std::int8_t kUnknown = -1, kFree = 0, kOccupied = 100;
-    return state == CellState::kUnknown ? kUnknown : state == CellState::kFree ? kFree : kOccupied;
-  });
-  return message;
-}
 
 geometry_msgs::TransformStamped transformMessage(const ros::Time& stamp, const std::string& parent,
                                                  const std::string& child, const RobotPose& pose) {
@@ -131,7 +112,10 @@ void SimulatorNodelet::advertise() {
   truth_publisher_ = node.advertise<nav_msgs::OccupancyGrid>("truth", 1, kLatched);
   finished_publisher_ = node.advertise<std_msgs::Bool>("finished", 1, kLatched);
   scan_publisher_ = node.advertise<structure_from_wifi::WifiScan>("wifi_scan", kQueue);
-  truth_publisher_.publish(truthMessage(*plan_, config_.map_frame, start_));
+  std_msgs::Header header;
+  header.frame_id = config_.map_frame;
+  header.stamp = start_;
+  truth_publisher_.publish(toTrinaryGrid(*plan_, header));
   finished_publisher_.publish(boolMessage(false));
 }
 

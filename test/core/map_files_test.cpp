@@ -153,8 +153,13 @@ TEST_F(MapFiles, AccessPointsAreReadBack) {
 
 TEST_F(MapFiles, ARecordingIsReadBack) {
   const Reading reading{5, {1.0, 2.0}, *Bssid::parse("02:00:00:00:00:01"), -40.0};
-  writeRecording({reading}, snapshotOf(kPicture), path("a/b"));
+  const Contact contact{-1500000000, {0.25, -3.0}};
+  writeRecording({reading}, {contact}, snapshotOf(kPicture), path("a/b"));
   EXPECT_EQ(readReadings(path("a/b/readings.csv")).readings.size(), 1U);
+  const auto contacts = readContacts(path("a/b/contacts.csv"));
+  ASSERT_EQ(contacts.size(), 1U);
+  EXPECT_EQ(contacts[0].stamp_ns, contact.stamp_ns);
+  EXPECT_EQ(contacts[0].point_in_map, contact.point_in_map);
   EXPECT_EQ(readAccessPoints(path("a/b/access_points.yaml")).front().name, "router");
 }
 
