@@ -1,42 +1,12 @@
 #include "bench_table.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "figures.h"
 
 namespace sfw {
 namespace {
-
-/// Mean and spread of what was measured; absent figures do not count.
-class Sample {
- public:
-  void add(std::optional<double> value) {
-    if (value) {
-      ++count_;
-      sum_ += *value;
-      squares_ += *value * *value;
-    }
-  }
-
-  std::string text() const {
-    if (count_ == 0) {
-      return "-";
-    }
-    const double mean = sum_ / count_;
-    const double variance = std::max(0.0, squares_ / count_ - mean * mean);
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3f ± %.3f", mean, std::sqrt(variance));
-    return text;
-  }
-
- private:
-  int count_ = 0;
-  double sum_ = 0.0;
-  double squares_ = 0.0;
-};
 
 struct Column {
   const char* key;

@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -8,6 +9,7 @@
 #include "commands.h"
 #include "figures.h"
 #include "structure_from_wifi/config_reader.h"
+#include "structure_from_wifi/controls.h"
 #include "structure_from_wifi/evaluation.h"
 #include "structure_from_wifi/input_error.h"
 #include "structure_from_wifi/map_server.h"
@@ -22,6 +24,8 @@ struct EvaluateOptions {
   std::string readings;
   std::string access_points;
   std::string probability;
+  bool controls = false;
+  std::string config;
   bool json = false;
 };
 
@@ -74,6 +78,53 @@ void printTable(std::ostream& out, const Evaluation& evaluation) {
   });
 }
 
+nlohmann::ordered_json toJson(const ControlFigures& controls) {
+  nlohmann::ordered_json json{{"no_radio", figuresJson(controls.no_radio)},
+                              {"shifted_radio", nlohmann::ordered_json::array()}};
+  for (const MapFigures& figures : controls.shifted_radio) {
+    json["shifted_radio"].push_back(figuresJson(figures));
+  }
+  return json;
+}
+
+void printControls(std::ostream& out, const MapFigures& map, const ControlFigures& controls) {
+  constexpr int kTextWidth = 48;
+  std::map<std::string, Sample> shifted;
+  for (const MapFigures& one : controls.shifted_radio) {
+    forEachFigure(one, [&](const char* key, const char*, std::optional<double> value) {
+      shifted[key].add(value);
+    });
+  }
+  std::map<std::string, std::optional<double>> silent;
+  forEachFigure(controls.no_radio, [&](const char* key, const char*, std::optional<double> value) {
+    silent[key] = value;
+  });
+  out << "\n"
+      << std::left << std::setw(kTextWidth) << "controls" << std::right << std::setw(12) << "map"
+      << std::setw(12) << "no radio"
+      << "   shifted radio\n";
+  forEachFigure(map, [&](const char* key, const char* text, std::optional<double> value) {
+    out << std::left << std::setw(kTextWidth) << text << std::right;
+    printValue(out, value);
+    printValue(out, silent[key]);
+    out << "   " << shifted[key].text() << '\n';
+  });
+}
+
+/// The controls, if asked for: they map the readings again.
+std::optional<ControlFigures> controlsFor(const EvaluateOptions& options,
+                                          const EvaluationInput& input,
+                                          const std::vector<Reading>& readings) {
+  if (!options.controls) {
+    return std::nullopt;
+  }
+  if (options.access_points.empty()) {
+    throw InputError("--controls needs --access-points: it maps the readings again");
+  }
+  const Config config = options.config.empty() ? Config() : readConfig(options.config).config;
+  return evaluateControls(input, readings, readAccessPoints(options.access_points), config);
+}
+
 /// Where the access points stand that the readings speak of: rays lead to no others.
 std::vector<Position> heardAccessPoints(const EvaluateOptions& options,
                                         const std::vector<Reading>& readings) {
@@ -120,11 +171,19 @@ void runEvaluate(const EvaluateOptions& options) {
     input.access_points = heardAccessPoints(options, readings);
   }
   const Evaluation evaluation = evaluate(input);
-  if (options.json) {
-    std::cout << toJson(evaluation).dump(2) << '\n';
-  } else {
+  const std::optional<ControlFigures> controls = controlsFor(options, input, readings);
+  if (!options.json) {
     printTable(std::cout, evaluation);
+    if (controls) {
+      printControls(std::cout, evaluation.map, *controls);
+    }
+    return;
   }
+  nlohmann::ordered_json json = toJson(evaluation);
+  if (controls) {
+    json["controls"] = toJson(*controls);
+  }
+  std::cout << json.dump(2) << '\n';
 }
 
 }  // namespace
@@ -142,6 +201,11 @@ void addEvaluateCommand(CLI::App& sfw) {
   command->add_option("--probability", options->probability,
                       "Probabilities of being occupied (map_server yaml, mode scale); default: "
                       "probability.yaml beside the map, if there is one");
+  command->add_flag("--controls", options->controls,
+                    "Map again without radio, and with the signals moved along the path by 1/9 .. "
+                    "8/9 of the run; what the map owes to the radio is the distance to these");
+  command->add_option("--config", options->config,
+                      "Settings for --controls, as the map was made with");
   command->add_flag("--json", options->json, "Print one JSON object instead of a table");
   command->callback([options] { runEvaluate(*options); });
 }

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 
 #include "structure_from_wifi/evaluation.h"
 
@@ -53,5 +57,33 @@ inline nlohmann::ordered_json figuresJson(const MapFigures& figures) {
   });
   return json;
 }
+
+/// Mean and spread of what was measured; absent figures do not count.
+class Sample {
+ public:
+  void add(std::optional<double> value) {
+    if (value) {
+      ++count_;
+      sum_ += *value;
+      squares_ += *value * *value;
+    }
+  }
+
+  std::string text() const {
+    if (count_ == 0) {
+      return "-";
+    }
+    const double mean = sum_ / count_;
+    const double variance = std::max(0.0, squares_ / count_ - mean * mean);
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3f ± %.3f", mean, std::sqrt(variance));
+    return text;
+  }
+
+ private:
+  int count_ = 0;
+  double sum_ = 0.0;
+  double squares_ = 0.0;
+};
 
 }  // namespace sfw

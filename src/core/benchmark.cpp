@@ -3,6 +3,7 @@
 #include <atomic>
 
 #include "structure_from_wifi/belief_map.h"
+#include "structure_from_wifi/controls.h"
 #include "structure_from_wifi/inference.h"
 #include "structure_from_wifi/mapper.h"
 #include "structure_from_wifi/ray.h"
@@ -10,89 +11,55 @@
 namespace sfw {
 namespace {
 
-constexpr int kShifts = 8;
-
-/// A map to be judged.
-struct Candidate {
-  Grid<CellState> states;
-  Grid<float> probabilities;
-};
-
-Candidate candidate(const BeliefMap& belief) {
-  Candidate result{Grid<CellState>(belief.geometry()), Grid<float>(belief.geometry())};
-  Cell c;
-  for (c.y = 0; c.y < belief.geometry().height(); ++c.y) {
-    for (c.x = 0; c.x < belief.geometry().width(); ++c.x) {
-      result.states[c] = belief.state(c);
-      result.probabilities[c] = belief.occupied(c);
-    }
-  }
-  return result;
-}
-
 /// Makes and judges the maps of one recording.
 class Benchmark {
  public:
   Benchmark(const Scenario& scenario, const Config& config)
-      : scenario_(scenario), config_(config), recording_(simulate(scenario)) {
+      : scenario_(scenario),
+        config_(config),
+        recording_(simulate(scenario)),
+        mapper_(config, scenario.access_points),
+        input_{toStates(scenario.plan), toStates(scenario.plan), {}, {}, {}} {
     for (const Reading& reading : recording_.readings) {
-      if (path_.empty() || path_.back() != reading.antenna_in_map) {
-        path_.push_back(reading.antenna_in_map);
+      mapper_.insert(reading);
+      if (input_.path.empty() || input_.path.back() != reading.antenna_in_map) {
+        input_.path.push_back(reading.antenna_in_map);
       }
     }
     for (const AccessPoint& access_point : scenario.access_points) {
-      access_points_.push_back(access_point.position);
+      input_.access_points.push_back(access_point.position);
     }
   }
 
   std::vector<std::pair<BenchmarkMethod, MapFigures>> run() {
     std::vector<std::pair<BenchmarkMethod, MapFigures>> results;
-    const Evaluation shipped = judge(mapped(0));
+    setBelief(mapper_.infer()->belief, input_);
+    const Evaluation shipped = evaluate(input_);
     results.emplace_back(BenchmarkMethod::kKVisibility, shipped.map);
-    results.emplace_back(BenchmarkMethod::kTrueCounts, judge(withTrueCounts()).map);
-    for (int shift = 1; shift <= kShifts; ++shift) {
-      results.emplace_back(BenchmarkMethod::kShiftedRadio, judge(mapped(shift)).map);
+    setBelief(withTrueCounts(), input_);
+    results.emplace_back(BenchmarkMethod::kTrueCounts, evaluate(input_).map);
+    const ControlFigures controls =
+        evaluateControls(input_, recording_.readings, scenario_.access_points, config_);
+    for (const MapFigures& figures : controls.shifted_radio) {
+      results.emplace_back(BenchmarkMethod::kShiftedRadio, figures);
     }
-    results.emplace_back(BenchmarkMethod::kNoRadio, judge(inferred({})).map);
-    results.emplace_back(BenchmarkMethod::kAnyRay, judge(anyRay()).map);
+    results.emplace_back(BenchmarkMethod::kNoRadio, controls.no_radio);
+    freeEveryRay();
+    results.emplace_back(BenchmarkMethod::kAnyRay, evaluate(input_).map);
     results.emplace_back(BenchmarkMethod::kPathOnly, shipped.path_only);
     return results;
   }
 
  private:
-  GridGeometry geometry() const { return mapper(0).geometry(); }
-
-  /// @param shift  ninths of the run by which each access point's signals are moved along the path
-  Mapper mapper(int shift) const {
-    Mapper mapper(config_, scenario_.access_points);
-    for (const AccessPoint& access_point : scenario_.access_points) {
-      std::vector<Reading> series;
-      for (const Reading& reading : recording_.readings) {
-        if (reading.bssid == access_point.bssid) {
-          series.push_back(reading);
-        }
-      }
-      const std::size_t offset = series.size() * static_cast<std::size_t>(shift) / (kShifts + 1);
-      for (std::size_t i = 0; i < series.size(); ++i) {
-        Reading reading = series[i];
-        reading.rssi_dbm = series[(i + offset) % series.size()].rssi_dbm;
-        mapper.insert(reading);
-      }
-    }
-    return mapper;
-  }
-
-  Candidate mapped(int shift) const { return candidate(mapper(shift).infer()->belief); }
-
-  Candidate inferred(const std::vector<CountedPath>& heard) const {
+  BeliefMap inferred(const std::vector<CountedPath>& heard) const {
     const std::atomic<bool> never{false};
-    return candidate(BeliefMap(
-        inferOccupancy(geometry(), heard, path_, {}, config_.inference, never), config_.belief));
+    return {inferOccupancy(mapper_.geometry(), heard, input_.path, {}, config_.inference, never),
+            config_.belief};
   }
 
-  Candidate withTrueCounts() const {
+  BeliefMap withTrueCounts() const {
     std::vector<CountedPath> heard;
-    for (const Position& access_point : access_points_) {
+    for (const Position& access_point : input_.access_points) {
       heard.push_back({access_point, {}});
     }
     for (std::size_t i = 0; i < recording_.readings.size(); ++i) {
@@ -103,30 +70,24 @@ class Benchmark {
     return inferred(heard);
   }
 
-  Candidate anyRay() const {
-    Candidate result = inferred({});
-    for (const Position& access_point : access_points_) {
-      for (const Position& pose : path_) {
-        Ray(result.states.geometry, access_point, pose).forEachCell([&](Cell c) {
-          if (result.states.geometry.contains(c)) {
-            result.states[c] = CellState::kFree;
+  void freeEveryRay() {
+    setBelief(inferred({}), input_);
+    for (const Position& access_point : input_.access_points) {
+      for (const Position& pose : input_.path) {
+        Ray(input_.map.geometry, access_point, pose).forEachCell([&](Cell c) {
+          if (input_.map.geometry.contains(c)) {
+            input_.map[c] = CellState::kFree;
           }
         });
       }
     }
-    return result;
-  }
-
-  Evaluation judge(const Candidate& map) const {
-    return evaluate(
-        {map.states, toStates(scenario_.plan), path_, access_points_, map.probabilities});
   }
 
   const Scenario& scenario_;
   const Config& config_;
   SimulatedRecording recording_;
-  std::vector<Position> path_;
-  std::vector<Position> access_points_;
+  Mapper mapper_;
+  EvaluationInput input_;  // what changes is the map and its probabilities
 };
 
 }  // namespace
