@@ -16,6 +16,12 @@ namespace sfw {
 /// Exact for cell coordinates below 2^19 in magnitude; points farther out must not be given.
 class Ray {
  public:
+  static constexpr int kSubcellBits = 10;
+  static constexpr std::int64_t kSubcells = std::int64_t{1} << kSubcellBits;  ///< of a cell's edge
+
+  /// The sub-cell to which an end at a coordinate [cells] is snapped.
+  static std::int64_t snapped(double cells);
+
   /// @param from,to  finite points [m] in the frame of `geometry`; they may lie outside the grid.
   Ray(const GridGeometry& geometry, const Position& from, const Position& to);
 
@@ -34,14 +40,11 @@ class Ray {
   void forEachCellWhile(Visitor&& visit) const;
 
  private:
-  static constexpr int kSubcellBits = 10;
-
   std::int64_t from_x_, from_y_, to_x_, to_y_;  // in sub-cells
 };
 
 template <class Visitor>
 void Ray::forEachCellWhile(Visitor&& visit) const {
-  constexpr std::int64_t kSubcells = std::int64_t{1} << kSubcellBits;
   const std::int64_t length_x = std::abs(to_x_ - from_x_);
   const std::int64_t length_y = std::abs(to_y_ - from_y_);
   const std::int64_t step_x = to_x_ < from_x_ ? -1 : 1;

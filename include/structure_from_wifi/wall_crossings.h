@@ -16,12 +16,12 @@ struct WallCrossing {
 
 /// The walls on the straight line between two points, in order, each once however thick it is.
 ///
-/// A wall is a run of wall cells; cells that touch, even at a corner, belong to one wall and leave
-/// no gap between them, so that the steps of a slanted wall do not count (forwardKVisibility counts
-/// every run and finds more there). Its material is that of most of the cells crossed. A wall in
-/// which an end of the line lies does not stand between them and is left out; unknown cells and all
-/// outside the plan are no wall. The same walls in both directions. The ends must lie within the
-/// range of Ray. O(cells crossed).
+/// A wall is a run of wall cells among those that Ray walks through; two wall cells that meet in a
+/// corner leave no gap for a line through that very corner. These are the walls that
+/// forwardKVisibility counts. Its material is that of most of the cells crossed. A wall in which an
+/// end of the line lies does not stand between them and is left out; unknown cells and all outside
+/// the plan are no wall. The same walls in both directions. The ends must lie within the range of
+/// Ray. O(cells crossed).
 std::vector<WallCrossing> wallsBetween(const Plan& plan, const Position& from, const Position& to);
 
 /// How many walls wallsBetween finds.

@@ -3,26 +3,22 @@
 #include <algorithm>
 
 namespace sfw {
-namespace {
 
 /// The nearest sub-cell that is strictly inside the cell which holds the coordinate.
-std::int64_t snap(double cells, std::int64_t subcells) {
+std::int64_t Ray::snapped(double cells) {
   const auto cell = static_cast<std::int64_t>(std::floor(cells));
   const auto nearest =
-      static_cast<std::int64_t>(std::llround(cells * static_cast<double>(subcells)));
-  return std::clamp(nearest, cell * subcells + 1, (cell + 1) * subcells - 1);
+      static_cast<std::int64_t>(std::llround(cells * static_cast<double>(kSubcells)));
+  return std::clamp(nearest, cell * kSubcells + 1, (cell + 1) * kSubcells - 1);
 }
 
-}  // namespace
-
 Ray::Ray(const GridGeometry& geometry, const Position& from, const Position& to) {
-  constexpr std::int64_t kSubcells = std::int64_t{1} << kSubcellBits;
   const Position a = geometry.toCells(from);
   const Position b = geometry.toCells(to);
-  from_x_ = snap(a.x(), kSubcells);
-  from_y_ = snap(a.y(), kSubcells);
-  to_x_ = snap(b.x(), kSubcells);
-  to_y_ = snap(b.y(), kSubcells);
+  from_x_ = snapped(a.x());
+  from_y_ = snapped(a.y());
+  to_x_ = snapped(b.x());
+  to_y_ = snapped(b.y());
 }
 
 }  // namespace sfw

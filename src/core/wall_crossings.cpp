@@ -1,6 +1,5 @@
 #include "structure_from_wifi/wall_crossings.h"
 
-#include <cstdlib>
 #include <optional>
 
 #include "structure_from_wifi/ray.h"
@@ -19,28 +18,26 @@ struct Contact {
   Cell b;
 };
 
-bool touch(Cell a, Cell b) { return std::abs(a.x - b.x) <= 1 && std::abs(a.y - b.y) <= 1; }
-
-bool touch(const Contact& s, const Contact& t) {
-  return touch(s.a, t.a) || touch(s.a, t.b) || touch(s.b, t.a) || touch(s.b, t.b);
-}
-
-/// Calls `visit(Contact)` for each contact of a ray with wall cells, in order.
+/// Calls `visit(Contact, goes_on)` for each contact of a ray with wall cells, in order; `goes_on`
+/// tells that nothing lies between it and the contact before.
 template <class T, class Visitor>
 void forEachContact(const Grid<T>& plan, const Position& from, const Position& to,
                     Visitor&& visit) {
   const auto is_wall = [&plan](Cell c) { return plan.geometry.contains(c) && isWall(plan[c]); };
   std::optional<Cell> last;
+  bool in_wall = false;
   Ray(plan.geometry, from, to).forEachCell([&](Cell c) {
     if (last && last->x != c.x && last->y != c.y) {
       const Contact corner{{last->x, c.y}, {c.x, last->y}};
       if (is_wall(corner.a) && is_wall(corner.b)) {
-        visit(corner);
+        visit(corner, in_wall);
+        in_wall = true;
       }
     }
     if (is_wall(c)) {
-      visit(Contact{c, c});
+      visit(Contact{c, c}, in_wall);
     }
+    in_wall = is_wall(c);
     last = c;
   });
 }
@@ -59,8 +56,8 @@ bool isOuter(Material material) { return material == Material::kOuterWall; }
 template <class T>
 std::vector<Run> runsBetween(const Grid<T>& plan, const Position& from, const Position& to) {
   std::vector<Run> runs;
-  forEachContact(plan, from, to, [&](const Contact& contact) {
-    if (!runs.empty() && touch(runs.back().last, contact)) {
+  forEachContact(plan, from, to, [&](const Contact& contact, bool goes_on) {
+    if (goes_on) {
       runs.back().last = contact;
       ++runs.back().contacts;
     } else {

@@ -6,6 +6,7 @@
 
 #include "structure_from_wifi/k_visibility.h"
 #include "structure_from_wifi/ray.h"
+#include "structure_from_wifi/wall_crossings.h"
 
 namespace sfw::test {
 
@@ -21,6 +22,12 @@ inline int runsOfWall(const Grid<CellState>& plan, const Position& access_point,
     first = false;
   });
   return runs;
+}
+
+/// What a simulated radio takes for the true count.
+inline int radioCount(const Grid<CellState>& plan, const Position& access_point,
+                      const Position& place) {
+  return countWalls(plan, access_point, place);
 }
 
 /// Share of free cells where walking a ray to each counts as many walls.

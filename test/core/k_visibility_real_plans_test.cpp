@@ -1,14 +1,17 @@
-// k-visibility on recorded floor plans, where the shared data is at hand.
+// k-visibility on 24 homes of HouseExpo and two map_server plans, where they are at hand.
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "floor_plans.h"
 #include "k_visibility_checks.h"
-#include "structure_from_wifi/map_server.h"
+#include "structure_from_wifi/plan_io.h"
 #include "structure_from_wifi/random.h"
 
 namespace sfw {
@@ -16,62 +19,82 @@ namespace {
 
 using test::InverseFigures;
 
-std::filesystem::path sharedFolder() {
-  const char* folder = std::getenv("SFW_SHARED");
-  return folder != nullptr ? folder : SFW_SOURCE_DIR "/../shared";
-}
-
-constexpr std::uint64_t kPlaces = 2;  // of access points, in each plan
-
 /// A free cell by chance.
-Position freePlace(const Grid<CellState>& plan, std::uint64_t item) {
-  Random random(1, 1, item);
+Cell freeCell(const Grid<CellState>& plan, Random& random) {
   const GridGeometry& geometry = plan.geometry;
+  const Position size(static_cast<double>(geometry.width()),
+                      static_cast<double>(geometry.height()));
   while (true) {
-    const Position at = geometry.origin() + geometry.box().sizes().cwiseProduct(
-                                                Position(random.uniform(), random.uniform()));
-    const Cell c = geometry.cellAt(at);
-    if (geometry.contains(c) && plan[c] == CellState::kFree) {
-      return at;
+    const Cell c{static_cast<std::int64_t>((1.0 - random.uniform()) * size.x()),
+                 static_cast<std::int64_t>((1.0 - random.uniform()) * size.y())};
+    if (plan[c] == CellState::kFree) {
+      return c;
     }
   }
 }
 
-class RealPlan : public testing::TestWithParam<const char*> {
+/// Access points anywhere in a cell, in its centre and on its corner: from the last two every third
+/// ray goes exactly through corners.
+std::vector<Position> places(const Grid<CellState>& plan) {
+  Random random(1, 1, 1);
+  std::vector<Position> all;
+  for (const double within : {random.uniform(), 0.5, 0.0}) {
+    const Cell c = freeCell(plan, random);
+    all.push_back(plan.geometry.centre(c) +
+                  (within - 0.5) * plan.geometry.resolution() * Position::Ones());
+  }
+  return all;
+}
+
+class RealPlan : public testing::TestWithParam<std::string> {
  protected:
   void SetUp() override {
-    const auto file = sharedFolder() / "data/floorplans/real" / GetParam();
-    if (!std::filesystem::exists(file)) {
-      GTEST_SKIP() << "no floor plan at " << file << "; SFW_SHARED may name the shared folder";
+    if (GetParam().empty()) {
+      GTEST_SKIP() << test::kNoFloorPlans;
     }
-    plan_ = readMap(file.string());
+    plan_ = toStates(readPlan(GetParam()));
   }
 
   std::optional<Grid<CellState>> plan_;
 };
 
 TEST_P(RealPlan, ForwardAgreesWithRays) {
-  for (std::uint64_t i = 0; i < kPlaces; ++i) {
-    const Position access_point = freePlace(*plan_, i);
+  for (const Position& access_point : places(*plan_)) {
     EXPECT_GE(test::agreement(*plan_, access_point, test::runsOfWall), 0.995)
         << access_point.transpose();
   }
 }
 
+TEST_P(RealPlan, ForwardIsWhatTheRadioCounts) {
+  for (const Position& access_point : places(*plan_)) {
+    EXPECT_GE(test::agreement(*plan_, access_point, test::radioCount), 0.9999)
+        << access_point.transpose();
+  }
+}
+
 TEST_P(RealPlan, DenseInverseFindsTheWalls) {
-  for (std::uint64_t i = 0; i < kPlaces; ++i) {
-    const Position access_point = freePlace(*plan_, i);
+  for (const Position& access_point : places(*plan_)) {
     const InverseFigures figures = test::inverseFigures(*plan_, access_point);
     EXPECT_GE(figures.found, 0.99) << access_point.transpose();
     EXPECT_LE(figures.falsely, 0.01) << access_point.transpose();
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(MapServer, RealPlan,
-                         testing::Values("small_house/map.yaml", "office_floor/1n.yaml"),
-                         [](const testing::TestParamInfo<const char*>& plan) {
-                           return std::string(plan.param, std::string(plan.param).find('/'));
-                         });
+std::vector<std::string> plansOrNone() {
+  std::vector<std::string> files = test::floorPlans();
+  return files.empty() ? std::vector<std::string>{""} : files;
+}
+
+/// The folder's and the file's name, as far as a test's name may hold them.
+std::string nameOf(const testing::TestParamInfo<std::string>& plan) {
+  const std::filesystem::path file(plan.param);
+  std::string name = file.parent_path().filename().string() + "_" + file.stem().string();
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return file.empty() ? "none_at_hand" : name;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, RealPlan, testing::ValuesIn(plansOrNone()), nameOf);
 
 }  // namespace
 }  // namespace sfw

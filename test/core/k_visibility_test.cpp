@@ -6,8 +6,8 @@
 
 #include "ascii_world.h"
 #include "k_visibility_checks.h"
+#include "structure_from_wifi/input_error.h"
 #include "structure_from_wifi/random.h"
-#include "structure_from_wifi/wall_crossings.h"
 
 namespace sfw {
 namespace {
@@ -15,6 +15,7 @@ namespace {
 using test::agreement;
 using test::inverseFigures;
 using test::InverseFigures;
+using test::radioCount;
 using test::runsOfWall;
 
 using Rows = std::vector<std::string>;
@@ -182,28 +183,58 @@ TEST(ForwardKVisibility, AgreesWithRaysInAFlat) {
   }
 }
 
-TEST(ForwardKVisibility, AgreesWithTheRadiosCountsButInCorners) {
-  // The radio takes walls that touch for one, so that the steps of a slanted wall do not count; a
-  // ray that clips a room's corner then passes one wall, not two.
-  const auto count = [](const Grid<CellState>& plan, const Position& a, const Position& b) {
-    EXPECT_LE(countWalls(plan, a, b), runsOfWall(plan, a, b));
-    return countWalls(plan, a, b);
-  };
+TEST(ForwardKVisibility, IsWhatTheRadioCounts) {
   for (const Position& access_point : kFlatPlaces) {
-    EXPECT_GE(agreement(flat(), access_point, count), 0.97) << access_point.transpose();
+    EXPECT_EQ(agreement(flat(), access_point, radioCount), 1.0) << access_point.transpose();
   }
 }
 
-TEST(ForwardKVisibility, AgreesWithRaysAmongScatteredCells) {
-  Grid<CellState> plan(GridGeometry(0.1, {1.0, -3.0}, 90, 70), CellState::kFree);
+/// A tenth wall, a tenth unknown.
+Grid<CellState> scattered() {
+  Grid<CellState> plan(GridGeometry(0.125, {1.0, -3.0}, 90, 70), CellState::kFree);
   for (std::size_t i = 0; i < plan.cells.size(); ++i) {
     const double share = Random(1, 1, i).uniform();
     plan.cells[i] = share < 0.1   ? CellState::kOccupied
                     : share < 0.2 ? CellState::kUnknown
                                   : CellState::kFree;
   }
-  for (const Position& access_point : {Position(4.213, 0.377), Position(9.96, 3.91)}) {
-    EXPECT_GE(agreement(plan, access_point, runsOfWall), 0.995) << access_point.transpose();
+  return plan;
+}
+
+TEST(ForwardKVisibility, IsWhatTheRadioCountsThroughCornersToo) {
+  // From a cell's centre or corner every third ray passes exactly through other corners.
+  const Grid<CellState> plan = scattered();
+  for (const Position& cells :
+       {Position(20.5, 30.5), Position(21.0, 33.0), Position(0.5, 0.5), Position(90.5, 12.5),
+        Position(-7.5, 33.5), Position(44.5, -20.5), Position(-60.5, -40.5)}) {
+    const Position access_point = plan.geometry.origin() + 0.125 * cells;
+    EXPECT_EQ(agreement(plan, access_point, radioCount), 1.0) << cells.transpose();
+  }
+}
+
+TEST(ForwardKVisibility, TwoWallsThatMeetInACornerLeaveNoGap) {
+  EXPECT_EQ(countsIn({"....#",  //
+                      "...#.",  //
+                      "..#..",  //
+                      ".#...",  //
+                      "#...R"}),
+            Rows({"1111#",  //
+                  "111#0",  //
+                  "11#00",  //
+                  "1#000",  //
+                  "#0000"}));
+}
+
+TEST(ForwardKVisibility, RefusesWhatItCannotCountExactly) {
+  const Grid<CellState> plan = test::world({"..#.."}, 1.0);
+  EXPECT_EQ(rowsOf(forwardKVisibility(plan, {-524288.0, 0.5})), Rows({"00#11"}));
+  EXPECT_THROW(forwardKVisibility(plan, {-524289.0, 0.5}), InputError);
+  EXPECT_THROW(forwardKVisibility(plan, {0.5, 1e300}), InputError);
+}
+
+TEST(ForwardKVisibility, AgreesWithRaysAmongScatteredCells) {
+  for (const Position& access_point : {Position(4.213, 0.377), Position(11.96, 3.91)}) {
+    EXPECT_GE(agreement(scattered(), access_point, runsOfWall), 0.995) << access_point.transpose();
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "ascii_world.h"
 
 namespace sfw {
@@ -59,7 +61,7 @@ TEST(CountWalls, UnknownIsNoWall) {
   EXPECT_EQ(countedBothWays(plan, {0.5, 0.5}, {8.5, 0.5}), 2);
 }
 
-TEST(CountWalls, ASlantedWallHasNoGapsAndCountsOnce) {
+TEST(CountWalls, ASlantedWallHasNoGaps) {
   const Grid<CellState> plan = drawn({".....#",  //
                                       "....#.",  //
                                       "...#..",  //
@@ -69,8 +71,42 @@ TEST(CountWalls, ASlantedWallHasNoGapsAndCountsOnce) {
   EXPECT_EQ(countedBothWays(plan, {1.5, 4.5}, {4.5, 1.5}), 1);  // through a cell
   EXPECT_EQ(countedBothWays(plan, {1.5, 3.5}, {3.5, 1.5}), 1);  // exactly between two cells
   EXPECT_EQ(countedBothWays(plan, {1.5, 2.5}, {2.5, 1.5}), 1);
-  EXPECT_EQ(countedBothWays(plan, {0.5, 2.5}, {5.5, 3.6}), 1);  // along its steps
   EXPECT_EQ(countedBothWays(plan, {1.5, 3.5}, {4.5, 5.5}), 0);
+}
+
+/// A wall `thick` cells wide that rises one cell in `run`.
+Grid<CellState> rising(std::int64_t thick, std::int64_t run) {
+  Grid<CellState> plan(GridGeometry(1.0, Position::Zero(), 60, 90), CellState::kFree);
+  for (std::int64_t x = 0; x < 60; ++x) {
+    for (std::int64_t y = 0; y < thick; ++y) {
+      plan[{x, 20 + x / run + y}] = CellState::kOccupied;
+    }
+  }
+  return plan;
+}
+
+TEST(CountWalls, ARisingWallCountsOnceOnLinesThatDoNotRise) {
+  for (const std::int64_t thick : {1, 2, 3}) {
+    for (const std::int64_t run : {1, 2, 3, 7}) {
+      const Grid<CellState> plan = rising(thick, run);
+      const Position middle(30.31, 21.17 + 30.0 / static_cast<double>(run));
+      for (double down_rad = 0.79; down_rad < 1.57; down_rad += 0.013) {
+        const Position half = 15.0 * Position(std::cos(down_rad), -std::sin(down_rad));
+        EXPECT_EQ(countedBothWays(plan, middle - half, middle + half), 1)
+            << thick << " thick, one in " << run << ", at " << down_rad;
+      }
+    }
+  }
+}
+
+TEST(CountWalls, ALineMayLeaveAStaircaseBetweenItsSteps) {
+  const Grid<CellState> plan = drawn({".....#",  //
+                                      "....#.",  //
+                                      "...#..",  //
+                                      "..#...",  //
+                                      ".#....",  //
+                                      "#....."});
+  EXPECT_EQ(countedBothWays(plan, {0.5, 2.05}, {5.5, 4.05}), 2);
 }
 
 TEST(CountWalls, IsSymmetricInARandomWorld) {
