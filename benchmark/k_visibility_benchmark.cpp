@@ -1,0 +1,125 @@
+// How long forwardKVisibility takes, beside walking a ray to every cell in the same run.
+//
+// Usage: k_visibility_benchmark [PLAN]...
+// Besides the plans given, it runs on made-up office floors, tiled to 250..2000 cells a side.
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "structure_from_wifi/k_visibility.h"
+#include "structure_from_wifi/plan_generator.h"
+#include "structure_from_wifi/plan_io.h"
+#include "structure_from_wifi/random.h"
+#include "structure_from_wifi/wall_crossings.h"
+
+namespace sfw {
+namespace {
+
+constexpr int kRepetitions = 5;  // the best counts: the others were disturbed
+constexpr int kPlaces = 5;       // of access points
+constexpr std::size_t kRays = 20000;
+
+volatile std::size_t consumed = 0;  // so that nothing is optimised away
+
+template <class Work>
+double milliseconds(Work&& work) {
+  const auto start = std::chrono::steady_clock::now();
+  consumed = consumed + work();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+      .count();
+}
+
+/// Office floors side by side.
+Grid<CellState> tiledOffice(std::int64_t side) {
+  PlanGeneratorConfig config;
+  config.kind = BuildingKind::kOffice;
+  config.area = 300.0;
+  const Grid<CellState> tile = toStates(generatePlan(config).plan);
+  Grid<CellState> plan(GridGeometry(config.resolution, Position::Zero(), side, side));
+  Cell c;
+  for (c.y = 0; c.y < side; ++c.y) {
+    for (c.x = 0; c.x < side; ++c.x) {
+      plan[c] = tile[{c.x % tile.geometry.width(), c.y % tile.geometry.height()}];
+    }
+  }
+  return plan;
+}
+
+std::vector<Position> freeCentres(const Grid<CellState>& plan) {
+  std::vector<Position> centres;
+  Cell c;
+  for (c.y = 0; c.y < plan.geometry.height(); ++c.y) {
+    for (c.x = 0; c.x < plan.geometry.width(); ++c.x) {
+      if (plan[c] == CellState::kFree) {
+        centres.push_back(plan.geometry.centre(c));
+      }
+    }
+  }
+  return centres;
+}
+
+/// One ray to every free cell; a fair share of them is walked, and the time is scaled.
+double raysMilliseconds(const Grid<CellState>& plan, const Position& access_point,
+                        const std::vector<Position>& centres) {
+  const std::size_t stride = centres.size() / std::min(centres.size(), kRays);
+  const double walked = milliseconds([&] {
+    std::size_t walls = 0;
+    for (std::size_t i = 0; i < centres.size(); i += stride) {
+      walls += static_cast<std::size_t>(countWalls(plan, access_point, centres[i]));
+    }
+    return walls;
+  });
+  return walked * static_cast<double>(stride);
+}
+
+void measure(const std::string& name, const Grid<CellState>& plan) {
+  const std::vector<Position> centres = freeCentres(plan);
+  double sweep = 0.0, longest = 0.0, rays = 0.0;
+  for (std::uint64_t place = 0; place < kPlaces; ++place) {
+    const double chance = 1.0 - Random(1, 1, place).uniform();
+    const Position access_point =
+        centres[static_cast<std::size_t>(chance * static_cast<double>(centres.size()))] +
+        Position(0.0031, 0.0017);
+    double best = 1e300;
+    for (int i = 0; i < kRepetitions; ++i) {
+      best = std::min(best, milliseconds([&] {
+                        return std::size_t{forwardKVisibility(plan, access_point).cells.back()};
+                      }));
+    }
+    sweep += best / kPlaces;
+    longest = std::max(longest, best);
+    rays += raysMilliseconds(plan, access_point, centres) / kPlaces;
+  }
+  const auto cells = static_cast<double>(plan.cells.size());
+  std::printf("| %s | %lld x %lld | %.2f | %.2f | %.1f | %.0f | %.0f |\n", name.c_str(),
+              static_cast<long long>(plan.geometry.width()),
+              static_cast<long long>(plan.geometry.height()), sweep, longest, 1e6 * sweep / cells,
+              rays, rays / sweep);
+}
+
+}  // namespace
+}  // namespace sfw
+
+int main(int count, char** arguments) {
+  try {
+    std::puts(
+        "| plan | cells | sweep [ms] | slowest place [ms] | sweep [ns/cell] | rays [ms] |"
+        " rays : sweep |\n|---|---|---|---|---|---|---|");
+    for (const std::int64_t side : {250, 500, 1000, 2000}) {
+      sfw::measure("office floors", sfw::tiledOffice(side));
+    }
+    for (int i = 1; i < count; ++i) {
+      sfw::measure(std::filesystem::path(arguments[i]).filename().string(),
+                   sfw::toStates(sfw::readPlan(arguments[i])));
+    }
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "k_visibility_benchmark: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}
