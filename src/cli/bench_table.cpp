@@ -1,12 +1,13 @@
 #include "bench_table.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "figures.h"
 
 namespace sfw {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 struct Column {
   const char* key;
@@ -20,78 +21,123 @@ constexpr Column kColumns[] = {{"free_precision", "free P"},
                                {"leak", "leak"},
                                {"auc", "AUC"}};
 
-std::optional<double> figure(const MapFigures& figures, const std::string& key) {
-  std::optional<double> found;
-  forEachFigure(figures, [&](const char* name, const char*, std::optional<double> value) {
-    found = key == name ? value : found;
-  });
-  return found;
+/// A row of a table: one kind of map on one level, over plans and seeds.
+struct Row {
+  std::string path;
+  std::string level;
+  std::string made_by;
+  std::vector<std::pair<std::string, Sample>> figures;  // in order of first appearance
+};
+
+/// The element for which `is_wanted` holds; if there is none, a new one of `made()`.
+template <class T, class Predicate, class Make>
+T& findOrAdd(std::vector<T>& all, Predicate&& is_wanted, Make&& made) {
+  const auto found = std::find_if(all.begin(), all.end(), is_wanted);
+  return found != all.end() ? *found : all.emplace_back(made());
 }
 
-std::string row(const std::vector<BenchResult>& results, const std::string& level,
-                const std::string& path, BenchmarkMethod method) {
-  std::string text = "| " + level + " | " + nameOf(method) + " |";
-  for (const Column& column : kColumns) {
-    Sample sample;
-    for (const BenchResult& result : results) {
-      for (const auto& [made_by, figures] : result.figures) {
-        if (result.level == level && result.path == path && made_by == method) {
-          sample.add(figure(figures, column.key));
-        }
-      }
+void addFigures(const Json& figures, Row& row) {
+  for (const auto& [key, value] : figures.items()) {
+    const auto& name = key;
+    auto& figure = findOrAdd(
+        row.figures, [&](const auto& known) { return known.first == name; },
+        [&] { return std::make_pair(name, Sample()); });
+    figure.second.add(value.is_number() ? std::optional(value.get<double>()) : std::nullopt);
+  }
+}
+
+/// All rows, in order of first appearance.
+std::vector<Row> rowsOf(const std::vector<BenchResult>& results) {
+  std::vector<Row> rows;
+  for (const BenchResult& result : results) {
+    for (const Json& map : result.maps) {
+      const auto made_by = map.at("made_by").get<std::string>();
+      Row& row = findOrAdd(
+          rows,
+          [&](const Row& known) {
+            return known.path == result.job.path && known.level == result.job.level &&
+                   known.made_by == made_by;
+          },
+          [&] {
+            return Row{result.job.path, result.job.level, made_by, {}};
+          });
+      addFigures(map.at("figures"), row);
     }
-    text += " " + sample.text() + " |";
+  }
+  return rows;
+}
+
+std::vector<std::string> pathsOf(const std::vector<Row>& rows) {
+  std::vector<std::string> paths;
+  for (const Row& row : rows) {
+    findOrAdd(
+        paths, [&](const std::string& path) { return path == row.path; }, [&] { return row.path; });
+  }
+  return paths;
+}
+
+std::string line(const Row& row) {
+  std::string text = "| " + row.level + " | " + row.made_by + " |";
+  for (const Column& column : kColumns) {
+    const auto found = std::find_if(row.figures.begin(), row.figures.end(),
+                                    [&](const auto& figure) { return figure.first == column.key; });
+    text += " " + (found != row.figures.end() ? found->second : Sample()).text() + " |";
   }
   return text + "\n";
 }
 
-/// The values of a field in order of first appearance.
-template <class Field>
-std::vector<std::string> distinct(const std::vector<BenchResult>& results, Field&& field) {
-  std::vector<std::string> values;
-  for (const BenchResult& result : results) {
-    if (std::find(values.begin(), values.end(), field(result)) == values.end()) {
-      values.push_back(field(result));
-    }
+Json toJson(const BenchJob& job) {
+  return {{"plan", job.plan}, {"noise", job.level}, {"path", job.path}, {"seed", job.seed}};
+}
+
+Json toJson(const Row& row) {
+  Json json{{"path", row.path}, {"noise", row.level}, {"made_by", row.made_by}};
+  for (const auto& [name, sample] : row.figures) {
+    json["figures"][name] = sample.count() == 0 ? Json()
+                                                : Json{{"mean", sample.mean()},
+                                                       {"sd", sample.standardDeviation()},
+                                                       {"count", sample.count()}};
   }
-  return values;
+  return json;
 }
 
 }  // namespace
 
-std::string toMarkdown(const std::vector<BenchResult>& results) {
+std::string toMarkdown(const BenchReport& report) {
   std::string text;
-  const auto levels = distinct(results, [](const BenchResult& r) { return r.level; });
-  for (const std::string& path : distinct(results, [](const BenchResult& r) { return r.path; })) {
+  const std::vector<Row> rows = rowsOf(report.results);
+  for (const std::string& path : pathsOf(rows)) {
     text += "Path `" + path + "`, mean ± standard deviation over plans and seeds:\n\n";
-    text += "| noise | method |";
+    text += "| noise | map |";
     std::string rule = "|---|---|";
     for (const Column& column : kColumns) {
       text += std::string(" ") + column.title + " |";
       rule += "---|";
     }
     text += "\n" + rule + "\n";
-    for (const std::string& level : levels) {
-      for (const BenchmarkMethod method : benchmarkMethods()) {
-        text += row(results, level, path, method);
-      }
+    for (const Row& row : rows) {
+      text += row.path == path ? line(row) : "";
     }
     text += "\n";
+  }
+  for (const BenchFailure& failure : report.failures) {
+    text += "Left out: " + toText(failure.job) + ": " + failure.reason + "\n";
   }
   return text;
 }
 
-std::string toJson(const std::vector<BenchResult>& results) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const BenchResult& result : results) {
-    for (const auto& [method, figures] : result.figures) {
-      json.push_back({{"plan", result.plan},
-                      {"noise", result.level},
-                      {"path", result.path},
-                      {"seed", result.seed},
-                      {"method", nameOf(method)},
-                      {"figures", figuresJson(figures)}});
-    }
+std::string toJson(const BenchReport& report) {
+  Json json{{"summary", Json::array()}, {"recordings", Json::array()}, {"failed", Json::array()}};
+  for (const Row& row : rowsOf(report.results)) {
+    json["summary"].push_back(toJson(row));
+  }
+  for (const BenchResult& result : report.results) {
+    json["recordings"].push_back(toJson(result.job));
+    json["recordings"].back()["maps"] = result.maps;
+  }
+  for (const BenchFailure& failure : report.failures) {
+    json["failed"].push_back(toJson(failure.job));
+    json["failed"].back()["reason"] = failure.reason;
   }
   return json.dump(1) + "\n";
 }

@@ -1,28 +1,36 @@
 #pragma once
 
-#include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "structure_from_wifi/benchmark.h"
+#include "bench_suite.h"
 
 namespace sfw {
 
-/// What one recording of a benchmark came to.
+/// What one recording of a benchmark came to: a list of {"made_by", "figures"}, one for each map.
 struct BenchResult {
-  std::string plan;
-  std::string level;
-  std::string path;
-  std::int64_t seed = 0;
-  std::vector<std::pair<BenchmarkMethod, MapFigures>> figures;
+  BenchJob job;
+  nlohmann::ordered_json maps;
+};
+
+/// A recording that came to nothing, and why.
+struct BenchFailure {
+  BenchJob job;
+  std::string reason;
+};
+
+/// What a benchmark came to.
+struct BenchReport {
+  std::vector<BenchResult> results;
+  std::vector<BenchFailure> failures;
 };
 
 /// One table for each path: mean and standard deviation over plans and seeds, a row for each level
-/// and method.
-std::string toMarkdown(const std::vector<BenchResult>& results);
+/// and kind of map.
+std::string toMarkdown(const BenchReport& report);
 
-/// Every figure of every recording.
-std::string toJson(const std::vector<BenchResult>& results);
+/// The same tables with every figure, then every recording by itself.
+std::string toJson(const BenchReport& report);
 
 }  // namespace sfw

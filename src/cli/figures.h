@@ -69,14 +69,18 @@ class Sample {
     }
   }
 
+  int count() const { return count_; }
+  double mean() const { return sum_ / count_; }
+  double standardDeviation() const {
+    return std::sqrt(std::max(0.0, squares_ / count_ - mean() * mean()));
+  }
+
   std::string text() const {
     if (count_ == 0) {
       return "-";
     }
-    const double mean = sum_ / count_;
-    const double variance = std::max(0.0, squares_ / count_ - mean * mean);
     char text[32];
-    std::snprintf(text, sizeof text, "%.3f ± %.3f", mean, std::sqrt(variance));
+    std::snprintf(text, sizeof text, "%.3f ± %.3f", mean(), standardDeviation());
     return text;
   }
 

@@ -1,10 +1,12 @@
 #include "structure_from_wifi/benchmark.h"
 
+#include <algorithm>
 #include <atomic>
 
 #include "structure_from_wifi/belief_map.h"
 #include "structure_from_wifi/controls.h"
 #include "structure_from_wifi/inference.h"
+#include "structure_from_wifi/input_error.h"
 #include "structure_from_wifi/mapper.h"
 #include "structure_from_wifi/ray.h"
 
@@ -14,50 +16,68 @@ namespace {
 /// Makes and judges the maps of one recording.
 class Benchmark {
  public:
-  Benchmark(const Scenario& scenario, const Config& config)
-      : scenario_(scenario),
-        config_(config),
+  explicit Benchmark(const Scenario& scenario)
+      : access_points_(scenario.access_points),
         recording_(simulate(scenario)),
-        mapper_(config, scenario.access_points),
         input_{toStates(scenario.plan), toStates(scenario.plan), {}, {}, {}} {
     for (const Reading& reading : recording_.readings) {
-      mapper_.insert(reading);
       if (input_.path.empty() || input_.path.back() != reading.antenna_in_map) {
         input_.path.push_back(reading.antenna_in_map);
       }
     }
-    for (const AccessPoint& access_point : scenario.access_points) {
+    for (const AccessPoint& access_point : access_points_) {
       input_.access_points.push_back(access_point.position);
     }
   }
 
-  std::vector<std::pair<BenchmarkMethod, MapFigures>> run() {
-    std::vector<std::pair<BenchmarkMethod, MapFigures>> results;
-    setBelief(mapper_.infer()->belief, input_);
-    const Evaluation shipped = evaluate(input_);
-    results.emplace_back(BenchmarkMethod::kKVisibility, shipped.map);
-    setBelief(withTrueCounts(), input_);
-    results.emplace_back(BenchmarkMethod::kTrueCounts, evaluate(input_).map);
-    const ControlFigures controls =
-        evaluateControls(input_, recording_.readings, scenario_.access_points, config_);
-    for (const MapFigures& figures : controls.shifted_radio) {
-      results.emplace_back(BenchmarkMethod::kShiftedRadio, figures);
+  void run(const BenchmarkMethod& method, Config config) {
+    method.select(config);
+    const Mapper mapper = mapperOf(config);
+    setBelief(mapper.infer()->belief, input_);
+    add(method.name + ", " + method.shipped, evaluate(input_).map);
+    if (method.maps_wall_counts) {
+      setBelief(inferred(mapper, trueCounts(), config), input_);
+      add(method.name + ", true k", evaluate(input_).map);
     }
-    results.emplace_back(BenchmarkMethod::kNoRadio, controls.no_radio);
-    freeEveryRay();
-    results.emplace_back(BenchmarkMethod::kAnyRay, evaluate(input_).map);
-    results.emplace_back(BenchmarkMethod::kPathOnly, shipped.path_only);
-    return results;
+    const ControlFigures controls =
+        evaluateControls(input_, recording_.readings, access_points_, config);
+    for (const MapFigures& figures : controls.shifted_radio) {
+      add(method.name + ", shifted radio", figures);
+    }
+    add(method.name + ", no radio", controls.no_radio);
   }
+
+  void runReferences(const Config& config) {
+    setBelief(inferred(mapperOf(config), {}, config), input_);
+    freeEveryRay();
+    const Evaluation evaluation = evaluate(input_);
+    add("every ray is free", evaluation.map);
+    add("path only", evaluation.path_only);
+  }
+
+  std::vector<BenchmarkFigures> takeResults() { return std::move(results_); }
 
  private:
-  BeliefMap inferred(const std::vector<CountedPath>& heard) const {
-    const std::atomic<bool> never{false};
-    return {inferOccupancy(mapper_.geometry(), heard, input_.path, {}, config_.inference, never),
-            config_.belief};
+  void add(const std::string& made_by, const MapFigures& figures) {
+    results_.push_back({made_by, figures});
   }
 
-  BeliefMap withTrueCounts() const {
+  Mapper mapperOf(const Config& config) const {
+    Mapper mapper(config, access_points_);
+    for (const Reading& reading : recording_.readings) {
+      mapper.insert(reading);
+    }
+    return mapper;
+  }
+
+  BeliefMap inferred(const Mapper& mapper, const std::vector<CountedPath>& heard,
+                     const Config& config) const {
+    const std::atomic<bool> never{false};
+    return {inferOccupancy(mapper.geometry(), heard, input_.path, {}, config.inference, never),
+            config.belief};
+  }
+
+  std::vector<CountedPath> trueCounts() const {
     std::vector<CountedPath> heard;
     for (const Position& access_point : input_.access_points) {
       heard.push_back({access_point, {}});
@@ -67,11 +87,10 @@ class Benchmark {
       heard[truth.access_point].poses.push_back(
           {recording_.readings[i].antenna_in_map, truth.walls});
     }
-    return inferred(heard);
+    return heard;
   }
 
   void freeEveryRay() {
-    setBelief(inferred({}), input_);
     for (const Position& access_point : input_.access_points) {
       for (const Position& pose : input_.path) {
         Ray(input_.map.geometry, access_point, pose).forEachCell([&](Cell c) {
@@ -83,43 +102,49 @@ class Benchmark {
     }
   }
 
-  const Scenario& scenario_;
-  const Config& config_;
-  SimulatedRecording recording_;
-  Mapper mapper_;
+  const std::vector<AccessPoint> access_points_;
+  const SimulatedRecording recording_;
   EvaluationInput input_;  // what changes is the map and its probabilities
+  std::vector<BenchmarkFigures> results_;
 };
 
 }  // namespace
 
-const std::vector<BenchmarkMethod>& benchmarkMethods() {
-  static const std::vector<BenchmarkMethod> kMethods{
-      BenchmarkMethod::kKVisibility, BenchmarkMethod::kTrueCounts, BenchmarkMethod::kShiftedRadio,
-      BenchmarkMethod::kNoRadio,     BenchmarkMethod::kAnyRay,     BenchmarkMethod::kPathOnly};
-  return kMethods;
+std::vector<BenchmarkMethod> benchmarkMethods() {
+  // Nothing to select while the mapper has one method.
+  return {{"k_visibility", "K-means k", true, [](Config&) {}}};
 }
 
-const char* nameOf(BenchmarkMethod method) {
-  switch (method) {
-    case BenchmarkMethod::kKVisibility:
-      return "k_visibility, K-means k";
-    case BenchmarkMethod::kTrueCounts:
-      return "k_visibility, true k";
-    case BenchmarkMethod::kShiftedRadio:
-      return "k_visibility, shifted radio";
-    case BenchmarkMethod::kNoRadio:
-      return "k_visibility, no radio";
-    case BenchmarkMethod::kAnyRay:
-      return "every ray is free";
-    case BenchmarkMethod::kPathOnly:
-      return "path only";
+std::vector<BenchmarkMethod> benchmarkMethods(const std::vector<std::string>& names) {
+  std::vector<BenchmarkMethod> methods = benchmarkMethods();
+  std::string known;
+  for (const BenchmarkMethod& method : methods) {
+    known += (known.empty() ? "" : ", ") + method.name;
   }
-  return "";
+  for (const std::string& name : names) {
+    if (std::none_of(methods.begin(), methods.end(),
+                     [&](const BenchmarkMethod& method) { return method.name == name; })) {
+      throw InputError("methods: there is no '" + name + "'; there are: " + known);
+    }
+  }
+  methods.erase(std::remove_if(methods.begin(), methods.end(),
+                               [&](const BenchmarkMethod& method) {
+                                 return !names.empty() && std::find(names.begin(), names.end(),
+                                                                    method.name) == names.end();
+                               }),
+                methods.end());
+  return methods;
 }
 
-std::vector<std::pair<BenchmarkMethod, MapFigures>> runBenchmark(const Scenario& scenario,
-                                                                 const Config& config) {
-  return Benchmark(scenario, config).run();
+std::vector<BenchmarkFigures> runBenchmark(const Scenario& scenario,
+                                           const std::vector<BenchmarkMethod>& methods,
+                                           const Config& config) {
+  Benchmark benchmark(scenario);
+  for (const BenchmarkMethod& method : methods) {
+    benchmark.run(method, config);
+  }
+  benchmark.runReferences(config);
+  return benchmark.takeResults();
 }
 
 }  // namespace sfw

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace sfw {
+
+/// What a benchmark runs on, as a suite file or options say it.
+struct BenchSuite {
+  std::vector<std::string> plans;  ///< files, or directories of them
+  std::int64_t generate = 0;       ///< buildings to make up
+  std::vector<std::string> levels{"none", "low", "ideal", "realistic", "hard"};
+  std::vector<std::string> paths{"walls"};  ///< walls, sparse or files of way points
+  std::int64_t seeds = 1;                   ///< seeds 1..N for each
+  std::int64_t access_points = 1;           ///< in each building
+  std::vector<std::string> methods;         ///< of the mapper; all if empty
+};
+
+/// One recording of a benchmark.
+struct BenchJob {
+  std::string plan;  // a file, or "generated N"
+  std::string level;
+  std::string path;
+  std::int64_t seed = 0;
+};
+
+/// Reads a YAML file with a value for each member that is not to keep its default. Plans and files
+/// of way points are looked for beside the file.
+/// @throw InputError naming file and key: unreadable, of a wrong type or unknown.
+BenchSuite readBenchSuite(const std::string& file);
+
+/// Every recording of the suite, in the order of the tables.
+/// @throw InputError naming all that is wrong with the suite.
+std::vector<BenchJob> jobsOf(const BenchSuite& suite);
+
+/// "PLAN, LEVEL, PATH, seed N"
+std::string toText(const BenchJob& job);
+
+}  // namespace sfw

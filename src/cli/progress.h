@@ -1,0 +1,26 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+
+namespace sfw {
+
+/// A progress bar with the time that is left, on standard error if that is a terminal.
+class Progress {
+ public:
+  explicit Progress(std::size_t all);
+
+  /// One more is done; `at_once` if it took no time, being there already.
+  void add(bool at_once = false);
+
+ private:
+  void show() const;
+
+  const std::size_t all_;
+  const bool shown_;
+  const std::chrono::steady_clock::time_point start_;
+  std::size_t done_ = 0;
+  std::size_t at_once_ = 0;
+};
+
+}  // namespace sfw
