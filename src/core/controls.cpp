@@ -21,7 +21,8 @@ Mapper mapperOf(const std::vector<Reading>& readings, const std::vector<AccessPo
 /// What the mapper believes if it hears nothing: Rule 1 along the path.
 BeliefMap silentBelief(const Mapper& mapper, const Config& config) {
   std::vector<Position> path;
-  for (const PathPose& pose : mapper.infer()->path) {
+  const auto snapshot = mapper.infer();  // owns the path
+  for (const PathPose& pose : snapshot->path) {
     path.push_back(pose.antenna_in_map);
   }
   const std::atomic<bool> never{false};
