@@ -8,6 +8,8 @@
 
 #include "commands.h"
 #include "figures.h"
+#include "structure_from_wifi/atomic_file.h"
+#include "structure_from_wifi/comparison_picture.h"
 #include "structure_from_wifi/config_reader.h"
 #include "structure_from_wifi/controls.h"
 #include "structure_from_wifi/evaluation.h"
@@ -27,6 +29,7 @@ struct EvaluateOptions {
   bool controls = false;
   std::string config;
   bool json = false;
+  std::string picture;
 };
 
 nlohmann::ordered_json toJson(const Evaluation& evaluation) {
@@ -171,6 +174,9 @@ void runEvaluate(const EvaluateOptions& options) {
     input.access_points = heardAccessPoints(options, readings);
   }
   const Evaluation evaluation = evaluate(input);
+  if (!options.picture.empty()) {
+    writeAtomically(options.picture, renderComparison(input));
+  }
   const std::optional<ControlFigures> controls = controlsFor(options, input, readings);
   if (!options.json) {
     printTable(std::cout, evaluation);
@@ -206,6 +212,9 @@ void addEvaluateCommand(CLI::App& sfw) {
                     "8/9 of the run; what the map owes to the radio is the distance to these");
   command->add_option("--config", options->config,
                       "Settings for --controls, as the map was made with");
+  command->add_option(
+      "--picture", options->picture,
+      "PNG to write: the map laid over the truth, walls found, missed, called free");
   command->add_flag("--json", options->json, "Print one JSON object instead of a table");
   command->callback([options] { runEvaluate(*options); });
 }

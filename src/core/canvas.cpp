@@ -82,18 +82,26 @@ void Canvas::drawLabel(const std::string& text, const Position& at_pixels) {
 }
 
 void Canvas::drawFooter(const std::string& caption, const std::vector<LegendEntry>& legend) {
-  constexpr double kEntryWidth = 48.0;
-  const double top = map_height_ + 2 * kBorder + kFooter / 2;
-  drawLabel(caption, {kBorder, top - 10.0});
+  constexpr double kBox = 16.0, kGap = 6.0, kLeastWidth = 48.0, kRow = 24.0;
+  const double bottom = map_height_ + 2 * kBorder + kFooter / 2;
+  drawLabel(caption, {kBorder, bottom - 10.0});
   double x = kBorder;
+  double top = caption.empty() ? bottom - kRow : bottom;  // two rows of entries, or caption and one
   for (const LegendEntry& entry : legend) {
+    cairo_text_extents_t extents;
+    cairo_text_extents(context_.get(), entry.text.c_str(), &extents);
+    const double width = std::max(kLeastWidth, kBox + 3.0 * kGap + extents.x_advance);
+    if (top < bottom && x + width > width_ - kBorder) {
+      x = kBorder;
+      top = bottom;
+    }
     setColour(entry.colour);
-    cairo_rectangle(context_.get(), x, top, 16.0, 16.0);
+    cairo_rectangle(context_.get(), x, top, kBox, kBox);
     cairo_fill(context_.get());
-    drawLabel(entry.text, {x + 22.0, top + 14.0});
-    x += kEntryWidth;
+    drawLabel(entry.text, {x + kBox + kGap, top + 14.0});
+    x += width;
   }
-  drawScaleBar(top);
+  drawScaleBar(bottom);
 }
 
 void Canvas::drawScaleBar(double top) {
