@@ -118,6 +118,49 @@ class GoodInput(CommandLine):
                          {0o666 & ~mask})
 
 
+class KVisibility(CommandLine):
+    def counts(self):
+        """A room that a wall divides, looked at from its left half."""
+        row = bytes([0, 254, 254, 0, 254, 254, 0])
+        self.write("plan.pgm", b"P5\n7 3\n255\n" + bytes(7) + row + bytes(7))
+        plan = self.write("plan.yaml", "image: plan.pgm\nresolution: 0.5\norigin: [0, 0, 0]\n"
+                          "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n")
+        self.good(self.sfw("visibility", "--plan", plan, "--access-point", "0.75,0.75", "--output",
+                           self.output))
+        return plan, self.output / "k.pgm"
+
+    def test_counts_walls_and_finds_them_again(self):
+        _, counts = self.counts()
+        row = counts.read_bytes()[-14:-7]
+        self.assertEqual(row, bytes([255, 0, 0, 255, 1, 1, 255]))
+        walls = self.folder / "walls"
+        self.good(self.sfw("dense", "--k-map", counts, "--output", walls))
+        self.assertEqual(sorted(self.bytes_of(walls)), ["map.pgm", "map.png", "map.yaml"])
+        self.assertEqual((walls / "map.pgm").read_bytes()[-14:-7],
+                         bytes([205, 254, 254, 0, 254, 254, 205]))
+
+    def test_an_access_point_out_of_reach(self):
+        plan, _ = self.counts()
+        run = self.sfw("visibility", "--plan", plan, "--access-point", "1e9,0", "--output",
+                       self.folder / "far")
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("--access-point 1e9,0 lies outside", run.stderr)
+        self.assertFalse((self.folder / "far").exists())
+
+
+class Comparison(CommandLine):
+    def test_a_picture_lays_the_map_over_the_truth(self):
+        self.good(self.map())
+        picture = self.folder / "picture.png"
+        judge = ("evaluate", "--map", self.output / "map.yaml", "--truth", self.output / "map.yaml",
+                 "--readings", self.readings, "--picture")
+        self.good(self.sfw(*judge, picture))
+        self.assertTrue(picture.read_bytes().startswith(b"\x89PNG"))
+        run = self.sfw(*judge, self.folder / "none" / "picture.png")
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("picture.png", run.stderr)
+
+
 class BadOutput(CommandLine):
     def test_a_file_in_the_way(self):
         way = self.write("way", "mine")

@@ -19,4 +19,8 @@ Colour wallCountColour(int walls);
 /// @throw std::runtime_error if Cairo fails.
 std::string renderPicture(const Snapshot& snapshot);
 
+/// The same of states alone: free space, walls and one access point.
+/// @throw std::runtime_error if Cairo fails.
+std::string renderPicture(const Grid<CellState>& states, const Position& access_point);
+
 }  // namespace sfw

@@ -9,6 +9,7 @@
 #include "structure_from_wifi/k_map_io.h"
 #include "structure_from_wifi/k_visibility.h"
 #include "structure_from_wifi/map_files.h"
+#include "structure_from_wifi/map_picture.h"
 
 namespace sfw {
 namespace {
@@ -42,8 +43,11 @@ struct DenseOptions {
 
 void runDense(const DenseOptions& options) {
   const KMap k_map = readKMap(options.k_map);
-  writePlanFiles(denseInverseKVisibility(k_map.counts, k_map.access_point), options.output, "map");
-  std::cerr << "sfw: wrote map.pgm and map.yaml to " << options.output << '\n';
+  const Grid<CellState> walls = denseInverseKVisibility(k_map.counts, k_map.access_point);
+  const std::string picture = renderPicture(walls, k_map.access_point);
+  writePlanFiles(walls, options.output, "map");
+  writeAtomically(options.output + "/map.png", picture);
+  std::cerr << "sfw: wrote map.pgm, map.yaml and map.png to " << options.output << '\n';
 }
 
 }  // namespace

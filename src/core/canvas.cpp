@@ -82,7 +82,7 @@ void Canvas::drawLabel(const std::string& text, const Position& at_pixels) {
 }
 
 void Canvas::drawFooter(const std::string& caption, const std::vector<LegendEntry>& legend) {
-  constexpr double kBox = 16.0, kGap = 6.0, kLeastWidth = 48.0, kRow = 24.0;
+  constexpr double kBox = 16.0, kGap = 6.0, kLeastWidth = 48.0, kRow = 24.0, kScaleText = 60.0;
   const double bottom = map_height_ + 2 * kBorder + kFooter / 2;
   drawLabel(caption, {kBorder, bottom - 10.0});
   double x = kBorder;
@@ -91,7 +91,7 @@ void Canvas::drawFooter(const std::string& caption, const std::vector<LegendEntr
     cairo_text_extents_t extents;
     cairo_text_extents(context_.get(), entry.text.c_str(), &extents);
     const double width = std::max(kLeastWidth, kBox + 3.0 * kGap + extents.x_advance);
-    if (top < bottom && x + width > width_ - kBorder) {
+    if (top < bottom && x + width > width_ - kBorder - kScaleText) {
       x = kBorder;
       top = bottom;
     }

@@ -18,12 +18,11 @@ struct Meaning {
   const char* text;
 };
 constexpr Meaning kMeanings[] = {{Verdict::kFreeFound, {1.0, 1.0, 1.0}, "free"},
-                                 {Verdict::kFreeMissed, {0.80, 0.81, 0.83}, "free, missed"},
+                                 {Verdict::kFreeMissed, {0.72, 0.86, 0.72}, "free, missed"},
                                  {Verdict::kWallFound, {0.10, 0.10, 0.12}, "wall"},
                                  {Verdict::kWallMissed, {0.45, 0.60, 0.85}, "wall, missed"},
                                  {Verdict::kWallLost, {0.85, 0.10, 0.10}, "wall taken for free"},
                                  {Verdict::kWallFalse, {0.95, 0.60, 0.10}, "wall where free"}};
-constexpr Colour kBeyond{0.93, 0.94, 0.95};  // where the truth knows nothing
 constexpr Colour kPath{0.55, 0.45, 0.75};
 
 /// The map's states on the truth's cells.
@@ -110,7 +109,6 @@ std::string renderComparison(const EvaluationInput& input) {
   const GridGeometry& geometry = input.truth.geometry;
   Canvas canvas(shownArea(input));
   const Comparison comparison(input);
-  canvas.fillCells(geometry, kBeyond, [&](Cell c) { return !comparison.isKnown(c); });
   std::vector<LegendEntry> legend;
   for (const Meaning& meaning : kMeanings) {
     canvas.fillCells(geometry, meaning.colour, [&](Cell c) {

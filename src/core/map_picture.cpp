@@ -81,4 +81,17 @@ std::string renderPicture(const Snapshot& snapshot) {
   return canvas.png();
 }
 
+std::string renderPicture(const Grid<CellState>& states, const Position& access_point) {
+  Box area = states.geometry.box();
+  area.extend(access_point);
+  Canvas canvas(area);
+  canvas.fillCells(states.geometry, Canvas::kFree,
+                   [&](Cell c) { return states[c] == CellState::kFree; });
+  canvas.fillCells(states.geometry, Canvas::kOccupied,
+                   [&](Cell c) { return states[c] == CellState::kOccupied; });
+  canvas.drawAccessPoint(access_point, "access point");
+  canvas.drawFooter("", {{Canvas::kFree, "free"}, {Canvas::kOccupied, "wall"}});
+  return canvas.png();
+}
+
 }  // namespace sfw

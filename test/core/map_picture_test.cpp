@@ -82,6 +82,15 @@ TEST(MapPicture, ShowsItsFooterWhateverAnAccessPointIsCalled) {
   EXPECT_NE(renderPicture(one), renderPicture(other));
 }
 
+TEST(MapPicture, ShowsStatesAlone) {
+  Grid<CellState> states(GridGeometry(0.1, {0, 0}, 160, 40), CellState::kFree);
+  const std::string open = renderPicture(states, {1.0, 1.0});
+  EXPECT_NEAR(sizeOf(open).height, 250 + 48 + 56, 2);
+  states[{80, 20}] = CellState::kOccupied;
+  EXPECT_NE(renderPicture(states, {1.0, 1.0}), open);
+  EXPECT_NEAR(sizeOf(renderPicture(states, {-15.99, 1.0})).height, 125 + 48 + 56, 2);
+}
+
 TEST(WallCountColour, IsAsInThePaperForTheFirstCounts) {
   const auto strongest = [](int walls) {
     const Colour colour = wallCountColour(walls);
