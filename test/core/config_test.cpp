@@ -182,7 +182,7 @@ TEST(ShippedConfig, LoadsWhateverItIs) {
     }
     const std::string file = entry.path().string();
     const YAML::Node yaml = YAML::LoadFile(file);
-    if (yaml["access_points"]) {
+    if (yaml["access_points"] && !yaml["levels"]) {  // a suite of `sfw bench` has a number there
       EXPECT_FALSE(readAccessPoints(file).empty()) << file;
       ++tables;
     }
