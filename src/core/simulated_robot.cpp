@@ -188,6 +188,8 @@ SimulatedRobot::Way SimulatedRobot::wayTo(const Position& direction, double leng
       way.obstacle = nearestPoint(square, from + until * direction);
     }
   });
+  // Or else pressing against a wall would creep into it by rounding after rounding.
+  way.length_m = way.obstacle && way.length_m < kOverlap ? 0.0 : way.length_m;
   return way;
 }
 

@@ -65,7 +65,10 @@ class Problems {
 };
 
 void checkBuilding(const SimulatorConfig& config, Problems& problems) {
-  if (config.plan.empty() == config.generate.empty()) {
+  if (!config.plan.empty() && !config.generate.empty()) {
+    problems.add("plan and generate exclude each other: leave one of them empty");
+  }
+  if (config.plan.empty() && config.generate.empty()) {
     problems.add(
         "plan must name a file (map_server YAML, HouseExpo JSON or PNG), or else generate must be "
         "flat or office");

@@ -37,6 +37,13 @@ TEST(SimulatedRobotWalls, AWallStopsItAtAnySpeedAndStep) {
   }
 }
 
+TEST(SimulatedRobotWalls, PressingAgainstAWallDoesNotMoveIt) {
+  SimulatedRobot robot = driven(room(), {{3.5, 1}, 0.4}, quick(), {1.0, 0.0}, 2.0);
+  const Position stopped = robot.pose().position;
+  robot.step(1000.0);
+  EXPECT_EQ(robot.pose().position, stopped);
+}
+
 TEST(SimulatedRobotWalls, DoesNotSlideAlongAWall) {
   const SimulatedRobot robot = driven(room(), {{3.5, 1}, kPi / 4}, quick(), {1.0, 0.0}, 10.0);
   EXPECT_NEAR((robot.pose().position - Position(3.8, 1.3)).norm(), 0.0, 1e-5);
