@@ -6,6 +6,7 @@ Usage: command_line_test.py RESULT.xml SFW
 
 import json
 import os
+import pathlib
 import subprocess
 import sys
 import unittest
@@ -37,6 +38,27 @@ class Help(CommandLine):
                  "--access-points")
         self.bad(self.sfw("map", "--readings", self.readings, "--access-points",
                           self.access_points), "--output")
+
+
+class Place(CommandLine):
+    FLAT = pathlib.Path(__file__).resolve().parent.parent / "config" / "demo" / "flat.yaml"
+
+    def test_prints_a_table_that_map_reads(self):
+        table = self.good(self.sfw("place", "--plan", self.FLAT, "--count", 3)).stdout
+        self.assertEqual(table.count("bssid"), 3)
+        self.assertEqual(table.count("\n"), 4)
+        self.good(self.map(access_points=self.write("placed.yaml", table)))
+        again = self.sfw("place", "--plan", self.FLAT, "--count", 3, "--parameter").stdout
+        self.assertEqual("access_points:\n" + again, table)
+        self.assertNotEqual(self.sfw("place", "--plan", self.FLAT, "--count", 3, "--seed", 2).stdout,
+                            table)
+
+    def test_names_what_it_cannot_use(self):
+        self.bad(self.sfw("place"), "--plan", "--generate")
+        self.bad(self.sfw("place", "--plan", "p.yaml", "--generate", "flat"), "--plan")
+        self.bad(self.sfw("place", "--generate", "castle"), "castle", "flat, office")
+        self.bad(self.sfw("place", "--plan", self.folder / "no.json"), "no.json", "No such file")
+        self.bad(self.sfw("place", "--generate", "flat", "--count", 0), "--count")
 
 
 class GoodInput(CommandLine):

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "structure_from_wifi/plan.h"
@@ -10,6 +11,10 @@ namespace sfw {
 
 /// What a building is used for, which decides its layout.
 enum class BuildingKind { kFlat, kOffice };
+
+/// @param name  "flat" or "office"
+/// @throw InputError naming the text and both kinds.
+BuildingKind parseBuildingKind(std::string_view name);
 
 /// What to build.
 struct PlanGeneratorConfig {

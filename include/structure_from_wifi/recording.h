@@ -44,6 +44,27 @@ struct RecordingConfig {
 /// the radio's names follow `radio/`.
 std::vector<std::string> validate(const RecordingConfig& config);
 
+/// What a robot believes wrongly about its position, for each of the two reasons. Immutable.
+class PositionError {
+ public:
+  /// Takes the errors and the seed from a valid configuration.
+  explicit PositionError(const RecordingConfig& config);
+
+  /// That of the map's registration at a true position [m], map frame.
+  Position registration(const Position& position) const;
+
+  /// That of odometry after a way [m], map frame.
+  Position drift(double driven_m) const;
+
+ private:
+  double registration_error_;
+  double drift_;
+  RandomField registration_x_;
+  RandomField registration_y_;
+  RandomField drift_x_;  // of the way driven, on the x axis
+  RandomField drift_y_;
+};
+
 /// Where the robot is and where it believes to be. Immutable.
 class SimulatedDrive {
  public:
@@ -61,12 +82,7 @@ class SimulatedDrive {
 
  private:
   Route route_;
-  double registration_error_;
-  double drift_;
-  RandomField error_x_;
-  RandomField error_y_;
-  RandomField drift_x_;  // of the way driven, on the x axis
-  RandomField drift_y_;
+  PositionError error_;
 };
 
 /// The truth about one reading.

@@ -10,6 +10,7 @@ void addMapCommand(CLI::App& sfw);
 void addEvaluateCommand(CLI::App& sfw);
 void addVisibilityCommand(CLI::App& sfw);
 void addDenseCommand(CLI::App& sfw);
+void addPlaceCommand(CLI::App& sfw);
 void addSimulateCommand(CLI::App& sfw);
 void addBenchCommand(CLI::App& sfw);
 

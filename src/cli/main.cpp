@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
   sfw::addEvaluateCommand(app);
   sfw::addVisibilityCommand(app);
   sfw::addDenseCommand(app);
+  sfw::addPlaceCommand(app);
   sfw::addSimulateCommand(app);
   sfw::addBenchCommand(app);
   try {

@@ -23,6 +23,28 @@ void addPlanOptions(CLI::App& command, PlanArgument& plan) {
   command.add_option("--metres-per-pixel", plan.metres_per_pixel, "scale of a PNG");
 }
 
+Plan BuildingArgument::make(std::int64_t seed) const {
+  if (plan.file.empty() == generate.empty()) {
+    throw InputError("needs either --plan or --generate");
+  }
+  if (generate.empty()) {
+    return plan.read();
+  }
+  PlanGeneratorConfig config;
+  config.kind = parseBuildingKind(generate);
+  config.area = area;
+  config.resolution = plan.options.resolution;
+  config.seed = static_cast<std::uint64_t>(seed);
+  return generatePlan(config).plan;
+}
+
+void addBuildingOptions(CLI::App& command, BuildingArgument& building) {
+  addPlanOptions(command, building.plan);
+  command.add_option("--generate", building.generate, "make a building up: flat or office");
+  command.add_option("--area", building.area, "of a building made up [m2], 30..400")
+      ->capture_default_str();
+}
+
 Position parsePosition(const std::string& option, const std::string& text) {
   std::istringstream stream(text);
   stream.imbue(std::locale::classic());

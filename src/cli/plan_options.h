@@ -1,8 +1,10 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <string>
 
+#include "structure_from_wifi/plan_generator.h"
 #include "structure_from_wifi/plan_io.h"
 #include "structure_from_wifi/types.h"
 
@@ -20,6 +22,20 @@ struct PlanArgument {
 
 /// Adds --plan, --resolution and --metres-per-pixel to a subcommand.
 void addPlanOptions(CLI::App& command, PlanArgument& plan);
+
+/// A building from a file or made up.
+struct BuildingArgument {
+  PlanArgument plan;
+  std::string generate;  ///< "flat", "office", or empty: not given
+  double area = PlanGeneratorConfig().area;
+
+  /// @param seed  of a building made up
+  /// @throw InputError as readPlan and generatePlan, or unless just one of the two is given
+  Plan make(std::int64_t seed) const;
+};
+
+/// Adds the options of addPlanOptions, --generate and --area to a subcommand.
+void addBuildingOptions(CLI::App& command, BuildingArgument& building);
 
 /// Reads "X,Y" [m]. @throw InputError naming the option.
 Position parsePosition(const std::string& option, const std::string& text);

@@ -9,37 +9,19 @@
 #include "structure_from_wifi/atomic_file.h"
 #include "structure_from_wifi/input_error.h"
 #include "structure_from_wifi/map_files.h"
-#include "structure_from_wifi/plan_generator.h"
 #include "structure_from_wifi/scenario.h"
 
 namespace sfw {
 namespace {
 
 struct SimulateOptions {
-  PlanArgument plan;
-  std::string generate;
-  double area = PlanGeneratorConfig().area;
+  BuildingArgument building;
   std::vector<std::string> access_points;
   std::string noise = "realistic";
   ScenarioConfig scenario;
   bool bag = false;
   std::string output;
 };
-
-Plan planOf(const SimulateOptions& options) {
-  if (options.plan.file.empty() == options.generate.empty()) {
-    throw InputError("simulate needs either --plan or --generate");
-  }
-  if (options.generate.empty()) {
-    return options.plan.read();
-  }
-  PlanGeneratorConfig config;
-  config.kind = options.generate == "office" ? BuildingKind::kOffice : BuildingKind::kFlat;
-  config.area = options.area;
-  config.resolution = options.plan.options.resolution;
-  config.seed = static_cast<std::uint64_t>(options.scenario.seed);
-  return generatePlan(config).plan;
-}
 
 std::vector<AccessPoint> accessPointsOf(const SimulateOptions& options) {
   std::vector<AccessPoint> access_points;
@@ -55,7 +37,7 @@ std::vector<AccessPoint> accessPointsOf(const SimulateOptions& options) {
 
 void run(SimulateOptions options) {
   options.scenario.level = parseNoiseLevel(options.noise);
-  const Plan plan = planOf(options);
+  const Plan plan = options.building.make(options.scenario.seed);
   const Scenario scenario = makeScenario(plan, accessPointsOf(options), options.scenario);
   const SimulatedRecording recording = simulate(scenario);
   makeDirectories(options.output);
@@ -75,11 +57,7 @@ void addSimulateCommand(CLI::App& sfw) {
   const auto options = std::make_shared<SimulateOptions>();
   CLI::App* command = sfw.add_subcommand(
       "simulate", "Drive a simulated robot through a known building and record what it hears.");
-  addPlanOptions(*command, options->plan);
-  command->add_option("--generate", options->generate, "make a building up: flat or office")
-      ->check(CLI::IsMember({"flat", "office"}));
-  command->add_option("--area", options->area, "of a building made up [m2], 30..400")
-      ->capture_default_str();
+  addBuildingOptions(*command, options->building);
   command->add_option("--access-point", options->access_points,
                       "X,Y in the plan's frame [m]; may be repeated");
   command

@@ -112,6 +112,13 @@ Plan rasterised(const Building& building, const PlanGeneratorConfig& config,
 
 }  // namespace
 
+BuildingKind parseBuildingKind(std::string_view name) {
+  if (name != "flat" && name != "office") {
+    throw InputError("'" + std::string(name) + "' is no kind of building; there are flat, office");
+  }
+  return name == "flat" ? BuildingKind::kFlat : BuildingKind::kOffice;
+}
+
 std::vector<std::string> validate(const PlanGeneratorConfig& config) {
   std::vector<std::string> problems;
   if (!(config.area >= 30.0 && config.area <= 400.0)) {

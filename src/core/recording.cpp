@@ -82,32 +82,42 @@ std::vector<std::string> validate(const RecordingConfig& config) {
   return problems;
 }
 
-SimulatedDrive::SimulatedDrive(const std::vector<Position>& way_points,
-                               const RecordingConfig& config)
-    : route_(way_points, usable(config).speed, config.yaw_rate),
-      registration_error_(config.registration_error),
+PositionError::PositionError(const RecordingConfig& config)
+    : registration_error_(config.registration_error),
       drift_(config.drift),
-      error_x_(RandomField::Kind::kSmooth, config.registration_distance, config.radio.seed,
-               streamOf(Purpose::kErrorX)),
-      error_y_(RandomField::Kind::kSmooth, config.registration_distance, config.radio.seed,
-               streamOf(Purpose::kErrorY)),
+      registration_x_(RandomField::Kind::kSmooth, config.registration_distance, config.radio.seed,
+                      streamOf(Purpose::kErrorX)),
+      registration_y_(RandomField::Kind::kSmooth, config.registration_distance, config.radio.seed,
+                      streamOf(Purpose::kErrorY)),
       drift_x_(RandomField::Kind::kSmooth, kDriftTurns, config.radio.seed,
                streamOf(Purpose::kDriftX)),
       drift_y_(RandomField::Kind::kSmooth, kDriftTurns, config.radio.seed,
                streamOf(Purpose::kDriftY)) {}
 
+Position PositionError::registration(const Position& position) const {
+  if (registration_error_ == 0.0) {
+    return Position::Zero();
+  }
+  return registration_error_ * Position(registration_x_.at(position), registration_y_.at(position));
+}
+
+Position PositionError::drift(double driven_m) const {
+  if (drift_ == 0.0) {
+    return Position::Zero();
+  }
+  const Position at(driven_m, 0.0);
+  return std::sqrt(0.5) * drift_ * driven_m * Position(drift_x_.at(at), drift_y_.at(at));
+}
+
+SimulatedDrive::SimulatedDrive(const std::vector<Position>& way_points,
+                               const RecordingConfig& config)
+    : route_(way_points, usable(config).speed, config.yaw_rate), error_(config) {}
+
 RobotPose SimulatedDrive::reportedPose(double time_s) const {
   RobotPose pose = route_.poseAt(time_s);
-  Position error = Position::Zero();
-  if (registration_error_ > 0.0) {
-    error += registration_error_ * Position(error_x_.at(pose.position), error_y_.at(pose.position));
-  }
-  if (drift_ > 0.0) {
-    const double driven_m = route_.drivenAt(time_s);
-    const Position at(driven_m, 0.0);
-    error += std::sqrt(0.5) * drift_ * driven_m * Position(drift_x_.at(at), drift_y_.at(at));
-  }
-  pose.position += error;
+  const Position registration = error_.registration(pose.position);
+  const Position drift = error_.drift(route_.drivenAt(time_s));
+  pose.position += registration + drift;
   return pose;
 }
 

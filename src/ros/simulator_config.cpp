@@ -7,6 +7,7 @@
 
 #include "structure_from_wifi/config_reader.h"
 #include "structure_from_wifi/input_error.h"
+#include "structure_from_wifi/noise_level.h"
 
 namespace sfw {
 namespace {
@@ -63,10 +64,42 @@ class Problems {
   std::string text_;
 };
 
-void checkRates(const SimulatorConfig& config, Problems& problems) {
-  problems.requireIn(config.speed, 0.01, 10.0, "speed");
-  problems.requireIn(config.yaw_rate, 0.01, 100.0, "yaw_rate");
-  problems.requireIn(config.robot_radius, 0.0, 10.0, "robot_radius");
+void checkBuilding(const SimulatorConfig& config, Problems& problems) {
+  if (!config.plan.empty() && !config.generate.empty()) {
+    problems.add("plan and generate exclude each other: leave one of them empty");
+  }
+  if (config.plan.empty() && config.generate.empty()) {
+    problems.add(
+        "plan must name a file (map_server YAML, HouseExpo JSON or PNG), or else generate must be "
+        "flat or office");
+  }
+  if (!config.generate.empty() && config.generate != "flat" && config.generate != "office") {
+    problems.add("generate must be flat or office");
+  }
+  problems.requireIn(config.resolution, 0.01, 0.1, "resolution");
+  problems.requireIn(config.metres_per_pixel, 0.0, 10.0, "metres_per_pixel");
+  problems.requireIn(config.area, 30.0, 400.0, "area");
+  problems.requireIn(static_cast<double>(config.access_point_count), 1.0, 100.0,
+                     "access_point_count");
+}
+
+void checkDrive(const SimulatorConfig& config, Problems& problems) {
+  if (config.route.empty()) {
+    problems.add("route must be walls, sparse or a CSV file with the columns x, y");
+  }
+  if (config.drive != "route" && config.drive != "cmd_vel") {
+    problems.add("drive must be route or cmd_vel");
+  }
+  const SimulatedRobot::Config& robot = config.robot;
+  problems.requireIn(robot.max_speed, 0.01, 10.0, "speed");
+  problems.requireIn(robot.max_yaw_rate, 0.01, 100.0, "yaw_rate");
+  problems.requireIn(robot.radius, 0.01, 10.0, "robot_radius");
+  problems.requireIn(robot.acceleration, 0.01, 1000.0, "acceleration");
+  problems.requireIn(robot.yaw_acceleration, 0.01, 10000.0, "yaw_acceleration");
+  problems.requireIn(robot.command_timeout, 0.0, 3600.0, "command_timeout");
+}
+
+void checkTime(const SimulatorConfig& config, Problems& problems) {
   problems.requireIn(config.tf_rate, 1.0, 1000.0, "tf_rate");
   problems.requireIn(config.scan_rate, 0.01, 1000.0, "scan_rate");
   if (config.scan_rate > config.tf_rate) {
@@ -79,13 +112,9 @@ void checkRates(const SimulatorConfig& config, Problems& problems) {
   problems.requireIn(config.start_delay, 0.0, 3600.0, "start_delay");
 }
 
-void checkNames(const SimulatorConfig& config, Problems& problems) {
-  if (config.plan.empty()) {
-    problems.add("plan must name a map_server YAML file");
-  }
-  if (config.route.empty()) {
-    problems.add("route must name a CSV file with the columns x, y");
-  }
+void checkFrames(const SimulatorConfig& config, Problems& problems) {
+  constexpr double kFar = 1e6;  // metres; nothing beyond is a building
+  constexpr double kTurn = 10.0;
   const auto require_frame = [&](const std::string& frame, const char* name) {
     if (frame.empty() || frame.front() == '/') {
       problems.add(std::string(name) + " must be a frame's name without a leading slash");
@@ -98,24 +127,13 @@ void checkNames(const SimulatorConfig& config, Problems& problems) {
       config.map_frame == config.base_frame) {
     problems.add("map_frame, odom_frame and base_frame must differ");
   }
-}
-
-void checkPlaces(const SimulatorConfig& config, Problems& problems) {
-  constexpr double kFar = 1e6;  // metres; nothing beyond is a building
-  constexpr double kTurn = 10.0;
   problems.requireIn(config.odom.x, -kFar, kFar, "odom/x");
   problems.requireIn(config.odom.y, -kFar, kFar, "odom/y");
   problems.requireIn(config.odom.yaw, -kTurn, kTurn, "odom/yaw");
-  for (const std::string& problem : validate(config.radio)) {
-    problems.add("radio/" + problem);
-  }
 }
 
-}  // namespace
-
-SimulatorConfig simulatorConfigFromYaml(const YAML::Node& tree) {
-  SimulatorConfig config;
-  Problems problems;
+/// Reads what stands in the tree over what stands in the configuration.
+void readSettings(const YAML::Node& tree, SimulatorConfig& config, Problems& problems) {
   forEachSimulatorSetting(config, [&](const char* name, auto& value) {
     const YAML::Node node = find(tree, name);
     auto given = value;  // decode() spoils its target when it fails
@@ -125,14 +143,44 @@ SimulatorConfig simulatorConfigFromYaml(const YAML::Node& tree) {
       value = given;
     }
   });
-  try {
-    config.access_points = accessPointsFromYaml(find(tree, kAccessPointsKey));
-  } catch (const InputError& error) {
-    problems.add(error.what());
+}
+
+/// A configuration with the settings of the noise level that a tree of parameters names.
+SimulatorConfig withNoiseLevel(const YAML::Node& tree, Problems& problems) {
+  SimulatorConfig named;
+  Problems reported_later;
+  readSettings(tree, named, reported_later);
+  SimulatorConfig config;
+  if (!named.noise.empty()) {
+    try {
+      config.signals = levelConfig(parseNoiseLevel(named.noise), named.signals.radio.seed);
+    } catch (const InputError& error) {
+      problems.add(std::string("noise: ") + error.what());
+    }
   }
-  checkNames(config, problems);
-  checkRates(config, problems);
-  checkPlaces(config, problems);
+  return config;
+}
+
+}  // namespace
+
+SimulatorConfig simulatorConfigFromYaml(const YAML::Node& tree) {
+  Problems problems;
+  SimulatorConfig config = withNoiseLevel(tree, problems);
+  readSettings(tree, config, problems);
+  if (const YAML::Node table = find(tree, kAccessPointsKey)) {
+    try {
+      config.access_points = accessPointsFromYaml(table);
+    } catch (const InputError& error) {
+      problems.add(error.what());
+    }
+  }
+  checkBuilding(config, problems);
+  checkDrive(config, problems);
+  checkTime(config, problems);
+  checkFrames(config, problems);
+  for (const std::string& problem : validate(config.signals)) {
+    problems.add(problem);
+  }
   problems.throwIfAny();
   return config;
 }

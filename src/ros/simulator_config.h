@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
-#include "structure_from_wifi/radio_model.h"
+#include "structure_from_wifi/recording.h"
+#include "structure_from_wifi/simulated_robot.h"
 
 namespace YAML {
 class Node;
@@ -13,12 +15,19 @@ namespace sfw {
 
 /// Every setting of the simulated robot, with its default. config/simulator.yaml explains each one.
 struct SimulatorConfig {
-  std::string plan;   ///< floor plan: a map_server YAML file
-  std::string route;  ///< way points: a CSV file
+  std::string plan;               ///< floor plan: a file as readPlan reads it
+  double resolution = 0.05;       ///< of plans drawn in metres, or made up [m]
+  double metres_per_pixel = 0.0;  ///< of a picture; 0: not given
+  std::string generate;           ///< instead of a plan: "flat" or "office", made up from the seed
+  double area = 90.0;             ///< of a building made up [m2]
 
-  double speed = 0.5;          ///< [m/s]
-  double yaw_rate = 2.0;       ///< of turns on the spot [rad/s]
-  double robot_radius = 0.15;  ///< [m]
+  std::string route = "walls";  ///< "walls", "sparse" or a CSV file of way points
+  std::vector<AccessPoint> access_points;
+  std::int64_t access_point_count = 2;  ///< to be placed if none is given
+
+  std::string drive = "route";  ///< or "cmd_vel"
+  /// Its speed and yaw rate along a route; the most that it reaches by commands.
+  SimulatedRobot::Config robot;
 
   double scan_rate = 5.0;      ///< [Hz], simulated time
   double tf_rate = 20.0;       ///< [Hz], simulated time
@@ -30,15 +39,16 @@ struct SimulatorConfig {
   std::string odom_frame = "odom";
   std::string base_frame = "base_link";
 
-  /// Where the odometry's frame lies in the map's.
+  /// Where the odometry's frame lies in the map's at the start.
   struct Odom {
     double x = 0.0;    ///< [m]
     double y = 0.0;    ///< [m]
     double yaw = 0.0;  ///< [rad]
   } odom;
 
-  RadioModel::Config radio;
-  std::vector<AccessPoint> access_points;
+  std::string noise;  ///< a NoiseLevel's name; empty: the defaults below
+  /// Radio, errors of the position and seed of all that is random; its drive is not used.
+  RecordingConfig signals;
 };
 
 /// Calls `visit(name, member)` for each setting but the access points, in the order of
@@ -46,10 +56,19 @@ struct SimulatorConfig {
 template <class AnyConfig, class Visitor>
 void forEachSimulatorSetting(AnyConfig& config, Visitor&& visit) {
   visit("plan", config.plan);
+  visit("resolution", config.resolution);
+  visit("metres_per_pixel", config.metres_per_pixel);
+  visit("generate", config.generate);
+  visit("area", config.area);
   visit("route", config.route);
-  visit("speed", config.speed);
-  visit("yaw_rate", config.yaw_rate);
-  visit("robot_radius", config.robot_radius);
+  visit("access_point_count", config.access_point_count);
+  visit("drive", config.drive);
+  visit("speed", config.robot.max_speed);
+  visit("yaw_rate", config.robot.max_yaw_rate);
+  visit("robot_radius", config.robot.radius);
+  visit("acceleration", config.robot.acceleration);
+  visit("yaw_acceleration", config.robot.yaw_acceleration);
+  visit("command_timeout", config.robot.command_timeout);
   visit("scan_rate", config.scan_rate);
   visit("tf_rate", config.tf_rate);
   visit("publish_clock", config.publish_clock);
@@ -61,27 +80,32 @@ void forEachSimulatorSetting(AnyConfig& config, Visitor&& visit) {
   visit("odom/x", config.odom.x);
   visit("odom/y", config.odom.y);
   visit("odom/yaw", config.odom.yaw);
-  visit("seed", config.radio.seed);
-  visit("radio/rssi_at_1m", config.radio.rssi_at_1m);
-  visit("radio/exponent", config.radio.exponent);
-  visit("radio/interior_wall_loss", config.radio.interior_wall_loss);
-  visit("radio/interior_wall_variation", config.radio.interior_wall_variation);
-  visit("radio/outer_wall_loss", config.radio.outer_wall_loss);
-  visit("radio/outer_wall_variation", config.radio.outer_wall_variation);
-  visit("radio/saturation", config.radio.saturation);
-  visit("radio/shadowing", config.radio.shadowing);
-  visit("radio/shadowing_distance", config.radio.shadowing_distance);
-  visit("radio/sample_noise", config.radio.sample_noise);
-  visit("radio/access_point_pattern", config.radio.access_point_pattern);
-  visit("radio/robot_pattern", config.radio.robot_pattern);
-  visit("radio/furniture", config.radio.furniture);
-  visit("radio/step", config.radio.step);
-  visit("radio/antenna_height", config.radio.antenna_height);
-  visit("radio/sensitivity", config.radio.sensitivity);
-  visit("radio/missed", config.radio.missed);
+  visit("drift", config.signals.drift);
+  visit("seed", config.signals.radio.seed);
+  visit("noise", config.noise);
+  visit("registration_error", config.signals.registration_error);
+  visit("registration_distance", config.signals.registration_distance);
+  visit("radio/rssi_at_1m", config.signals.radio.rssi_at_1m);
+  visit("radio/exponent", config.signals.radio.exponent);
+  visit("radio/interior_wall_loss", config.signals.radio.interior_wall_loss);
+  visit("radio/interior_wall_variation", config.signals.radio.interior_wall_variation);
+  visit("radio/outer_wall_loss", config.signals.radio.outer_wall_loss);
+  visit("radio/outer_wall_variation", config.signals.radio.outer_wall_variation);
+  visit("radio/saturation", config.signals.radio.saturation);
+  visit("radio/shadowing", config.signals.radio.shadowing);
+  visit("radio/shadowing_distance", config.signals.radio.shadowing_distance);
+  visit("radio/sample_noise", config.signals.radio.sample_noise);
+  visit("radio/access_point_pattern", config.signals.radio.access_point_pattern);
+  visit("radio/robot_pattern", config.signals.radio.robot_pattern);
+  visit("radio/furniture", config.signals.radio.furniture);
+  visit("radio/step", config.signals.radio.step);
+  visit("radio/antenna_height", config.signals.radio.antenna_height);
+  visit("radio/sensitivity", config.signals.radio.sensitivity);
+  visit("radio/missed", config.signals.radio.missed);
 }
 
-/// Reads settings over the defaults, and the table `access_points`.
+/// Reads settings over the noise level's, and those over the defaults, and the table
+/// `access_points` if there is one.
 /// @throw InputError naming every setting that is missing, of the wrong type or out of range.
 SimulatorConfig simulatorConfigFromYaml(const YAML::Node& tree);
 

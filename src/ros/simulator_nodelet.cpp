@@ -1,6 +1,5 @@
 #include "simulator_nodelet.h"
 
-#include <geometry_msgs/TransformStamped.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <ros/ros.h>
 #include <rosgraph_msgs/Clock.h>
@@ -14,10 +13,8 @@
 
 #include "message_conversion.h"
 #include "parameters.h"
-#include "structure_from_wifi/input_error.h"
-#include "structure_from_wifi/map_server.h"
-#include "structure_from_wifi/plan.h"
-#include "structure_from_wifi/reading_io.h"
+#include "simulator_messages.h"
+#include "simulator_world.h"
 
 namespace sfw {
 namespace {
@@ -31,25 +28,6 @@ constexpr std::chrono::milliseconds kSettle{1000};
 
 /// Share of a scan by which one may come early, so that rounding does not delay it by a step.
 constexpr double kRounding = 1e-9;
-
-geometry_msgs::TransformStamped transformMessage(const ros::Time& stamp, const std::string& parent,
-                                                 const std::string& child, const RobotPose& pose) {
-  geometry_msgs::TransformStamped message;
-  message.header.stamp = stamp;
-  message.header.frame_id = parent;
-  message.child_frame_id = child;
-  message.transform.translation.x = pose.position.x();
-  message.transform.translation.y = pose.position.y();
-  message.transform.rotation.z = std::sin(0.5 * pose.yaw_rad);
-  message.transform.rotation.w = std::cos(0.5 * pose.yaw_rad);
-  return message;
-}
-
-std_msgs::Bool boolMessage(bool value) {
-  std_msgs::Bool message;
-  message.data = value;
-  return message;
-}
 
 }  // namespace
 
@@ -66,9 +44,15 @@ SimulatorNodelet::~SimulatorNodelet() {
 
 void SimulatorNodelet::onInit() {
   try {
-    loadWorld();
+    loadParameters();
+    makeWorld();
     advertise();
     thread_ = std::thread([this] { run(); });
+    if (robot_) {  // last: callbacks may come before onInit returns
+      constexpr std::uint32_t kQueue = 10;
+      command_subscriber_ =
+          getNodeHandle().subscribe("cmd_vel", kQueue, &SimulatorNodelet::receiveCommand, this);
+    }
   } catch (const std::exception& error) {
     std::istringstream problems(error.what());
     for (std::string problem; std::getline(problems, problem);) {
@@ -77,7 +61,7 @@ void SimulatorNodelet::onInit() {
   }
 }
 
-void SimulatorNodelet::loadWorld() {
+void SimulatorNodelet::loadParameters() {
   const ros::NodeHandle& parameters = getPrivateNodeHandle();
   XmlRpc::XmlRpcValue tree;
   parameters.getParam(parameters.getNamespace(), tree);
@@ -86,15 +70,19 @@ void SimulatorNodelet::loadWorld() {
     NODELET_WARN_STREAM(name << " is not a setting of the simulation");
   }
   config_ = simulatorConfigFromYaml(settings);
-  plan_ = readMap(config_.plan);
-  const std::vector<Position> way_points = readWayPoints(config_.route);
-  try {
-    requireFree(*plan_, way_points, config_.robot_radius);
-    route_.emplace(way_points, config_.speed, config_.yaw_rate);
-  } catch (const InputError& error) {
-    throw InputError(config_.route + ": " + error.what());
+}
+
+void SimulatorNodelet::makeWorld() {
+  const SimulatorWorld world = makeSimulatorWorld(config_);
+  plan_ = toStates(world.plan);
+  radio_.emplace(world.plan, asTransmitters(world.access_points), config_.signals.radio);
+  error_.emplace(config_.signals);
+  const Route route(world.way_points, config_.robot.max_speed, config_.robot.max_yaw_rate);
+  if (config_.drive == "cmd_vel") {
+    robot_.emplace(*plan_, route.poseAt(0.0), config_.robot);
+  } else {
+    route_ = route;
   }
-  radio_.emplace(withMaterials(*plan_), asTransmitters(config_.access_points), config_.radio);
 }
 
 void SimulatorNodelet::advertise() {
@@ -110,13 +98,25 @@ void SimulatorNodelet::advertise() {
   }
   broadcaster_.emplace();
   truth_publisher_ = node.advertise<nav_msgs::OccupancyGrid>("truth", 1, kLatched);
+  contact_publisher_ = node.advertise<std_msgs::Bool>("contact", kQueue, kLatched);
   finished_publisher_ = node.advertise<std_msgs::Bool>("finished", 1, kLatched);
   scan_publisher_ = node.advertise<structure_from_wifi::WifiScan>("wifi_scan", kQueue);
   std_msgs::Header header;
   header.frame_id = config_.map_frame;
   header.stamp = start_;
   truth_publisher_.publish(toTrinaryGrid(*plan_, header));
+  contact_publisher_.publish(boolMessage(false));
   finished_publisher_.publish(boolMessage(false));
+}
+
+void SimulatorNodelet::receiveCommand(const geometry_msgs::Twist& twist) {
+  if (!std::isfinite(twist.linear.x) || !std::isfinite(twist.angular.z)) {
+    constexpr double kWarningPeriod = 10.0;  // [s]
+    NODELET_WARN_THROTTLE(kWarningPeriod, "cmd_vel: linear.x and angular.z must be finite numbers");
+    return;
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  command_ = DriveCommand{twist.linear.x, twist.angular.z};
 }
 
 void SimulatorNodelet::run() {
@@ -145,29 +145,58 @@ bool SimulatorNodelet::waitUntil(WallClock::time_point time) {
 }
 
 void SimulatorNodelet::sendStep(std::int64_t step) {
-  if (!departure_ && mayDepart()) {
-    departure_ = step;
-    NODELET_INFO("The drive takes %.0f s of simulated time", route_->duration());
-  }
   const ros::Time stamp = start_ + ros::Duration(static_cast<double>(step) / config_.tf_rate);
-  const double driven_s =
-      departure_ ? static_cast<double>(step - *departure_) / config_.tf_rate : 0.0;
-  const RobotPose pose = route_->poseAt(driven_s);
+  const RobotPose pose = moveTo(step);
   if (config_.publish_clock) {
     rosgraph_msgs::Clock clock;
     clock.clock = stamp;
     clock_publisher_.publish(clock);
   }
-  sendTransforms(stamp, pose);
+  broadcaster_->sendTransform(transformMessages(config_, *error_, stamp, pose, driven_m_));
+  const bool contact = robot_ && robot_->contact();
+  if (contact != contact_) {
+    contact_ = contact;
+    contact_publisher_.publish(boolMessage(contact));
+  }
   if (!departure_ || finished_) {
     return;
   }
-  if (driven_s > route_->duration()) {
+  const double driven_s = drivenTime(step);
+  if (route_ && driven_s > route_->duration()) {
     // A step after the last scan at the earliest, so transforms on both sides of it are out.
     finish();
   } else if (driven_s * config_.scan_rate >= static_cast<double>(scans_) - kRounding) {
     sendScan(stamp, pose);
   }
+}
+
+RobotPose SimulatorNodelet::moveTo(std::int64_t step) {
+  if (robot_) {
+    departure_ = 0;
+    obeyCommands();
+    robot_->step(step > 0 ? 1.0 / config_.tf_rate : 0.0);
+    driven_m_ = robot_->drivenWay();
+    return robot_->pose();
+  }
+  if (!departure_ && mayDepart()) {
+    departure_ = step;
+    NODELET_INFO("The drive takes %.0f s of simulated time", route_->duration());
+  }
+  const double driven_s = drivenTime(step);
+  driven_m_ = route_->drivenAt(driven_s);
+  return route_->poseAt(driven_s);
+}
+
+void SimulatorNodelet::obeyCommands() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (command_) {
+    robot_->command(*command_);
+    command_.reset();
+  }
+}
+
+double SimulatorNodelet::drivenTime(std::int64_t step) const {
+  return departure_ ? static_cast<double>(step - *departure_) / config_.tf_rate : 0.0;
 }
 
 void SimulatorNodelet::finish() {
@@ -176,31 +205,10 @@ void SimulatorNodelet::finish() {
   NODELET_INFO("The drive is over: %llu scans", static_cast<unsigned long long>(scans_));
 }
 
-void SimulatorNodelet::sendTransforms(const ros::Time& stamp, const RobotPose& pose) {
-  const Position origin(config_.odom.x, config_.odom.y);
-  const double yaw = config_.odom.yaw;
-  const RobotPose in_odom{Eigen::Rotation2Dd(-yaw) * (pose.position - origin), pose.yaw_rad - yaw};
-  broadcaster_->sendTransform(std::vector<geometry_msgs::TransformStamped>{
-      transformMessage(stamp, config_.map_frame, config_.odom_frame, {origin, yaw}),
-      transformMessage(stamp, config_.odom_frame, config_.base_frame, in_odom)});
-}
-
 void SimulatorNodelet::sendScan(const ros::Time& stamp, const RobotPose& pose) {
-  structure_from_wifi::WifiScan scan;
+  structure_from_wifi::WifiScan scan = scanMessage(*radio_, pose, scans_);
   scan.header.stamp = stamp;
   scan.header.frame_id = config_.base_frame;
-  for (std::size_t i = 0; i < radio_->transmitters().size(); ++i) {
-    const std::optional<double> rssi_dbm = radio_->rssi(i, pose, scans_);
-    if (rssi_dbm) {
-      const Transmitter& transmitter = radio_->transmitters()[i];
-      structure_from_wifi::ApReading reading;
-      reading.bssid = transmitter.access_point.bssid.str();
-      reading.ssid = transmitter.access_point.name;
-      reading.rssi_dbm = static_cast<float>(*rssi_dbm);
-      reading.frequency_mhz = static_cast<float>(frequencyMhz(transmitter.band));
-      scan.readings.push_back(reading);
-    }
-  }
   scan_publisher_.publish(scan);
   ++scans_;
 }

@@ -3,15 +3,28 @@
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
+#include <fstream>
+#include <iterator>
+#include <regex>
+
 #include "structure_from_wifi/input_error.h"
+#include "structure_from_wifi/noise_level.h"
 
 namespace sfw {
 namespace {
 
-/// The least that a simulation needs.
+/// A plan, a route and an access point.
 YAML::Node complete() {
   return YAML::Load(
       "{plan: p.yaml, route: r.csv, access_points: [{bssid: '02:00:00:00:00:01', x: 1, y: 2}]}");
+}
+
+/// The shipped file with the settings that it leaves to the noise level.
+YAML::Node shippedWithoutCommentSigns() {
+  std::ifstream stream(SFW_SOURCE_DIR "/config/simulator.yaml");
+  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  const std::regex setting("\\n# ((registration_\\w+|radio|  [a-z0-9_]+):)");
+  return YAML::Load(std::regex_replace(text, setting, "\n$1"));
 }
 
 std::string problemsOf(const YAML::Node& tree) {
@@ -24,7 +37,7 @@ std::string problemsOf(const YAML::Node& tree) {
 }
 
 TEST(SimulatorConfig, ShippedFileNamesEverySettingWithItsDefault) {
-  const YAML::Node file = YAML::LoadFile(SFW_SOURCE_DIR "/config/simulator.yaml");
+  const YAML::Node file = shippedWithoutCommentSigns();
   EXPECT_EQ(unknownSimulatorSettings(file), std::vector<std::string>());
   SimulatorConfig defaults;
   forEachSimulatorSetting(defaults, [&](const std::string& name, const auto& value) {
@@ -37,6 +50,28 @@ TEST(SimulatorConfig, ShippedFileNamesEverySettingWithItsDefault) {
   });
 }
 
+TEST(SimulatorConfig, ShippedFileLeavesTheRadioToTheNoiseLevel) {
+  YAML::Node file = YAML::LoadFile(SFW_SOURCE_DIR "/config/simulator.yaml");
+  file["plan"] = "p.json";
+  file["noise"] = "hard";
+  file["seed"] = 5;
+  const RecordingConfig hard = levelConfig(NoiseLevel::kHard, 5);
+  const SimulatorConfig config = simulatorConfigFromYaml(file);
+  EXPECT_EQ(config.signals.radio.shadowing, 5.0);
+  EXPECT_EQ(config.signals.radio.exponent, hard.radio.exponent);
+  EXPECT_EQ(config.signals.registration_error, hard.registration_error);
+  EXPECT_GT(config.signals.registration_error, 0.0);
+}
+
+TEST(SimulatorConfig, WhatIsGivenWinsOverTheNoiseLevel) {
+  YAML::Node tree = complete();
+  tree["noise"] = "none";
+  tree["radio"]["shadowing"] = 4.0;
+  const SimulatorConfig config = simulatorConfigFromYaml(tree);
+  EXPECT_EQ(config.signals.radio.shadowing, 4.0);
+  EXPECT_EQ(config.signals.radio.sample_noise, 0.0);
+}
+
 TEST(SimulatorConfig, ReadsGroupsOverDefaults) {
   YAML::Node tree = complete();
   tree["radio"]["exponent"] = 2.5;
@@ -44,39 +79,53 @@ TEST(SimulatorConfig, ReadsGroupsOverDefaults) {
   tree["odom"]["yaw"] = 1;
   const SimulatorConfig config = simulatorConfigFromYaml(tree);
   EXPECT_EQ(config.plan, "p.yaml");
-  EXPECT_EQ(config.radio.exponent, 2.5);
-  EXPECT_EQ(config.radio.seed, 42);
+  EXPECT_EQ(config.signals.radio.exponent, 2.5);
+  EXPECT_EQ(config.signals.radio.seed, 42);
   EXPECT_EQ(config.odom.yaw, 1.0);
-  EXPECT_EQ(config.speed, SimulatorConfig().speed);
+  EXPECT_EQ(config.robot.max_speed, SimulatorConfig().robot.max_speed);
   ASSERT_EQ(config.access_points.size(), 1U);
   EXPECT_EQ(config.access_points[0].position, Position(1, 2));
 }
 
 TEST(SimulatorConfig, NamesEveryProblemAtOnce) {
   YAML::Node tree = complete();
+  tree["generate"] = "castle";
   tree["route"] = "";
+  tree["drive"] = "joystick";
   tree["speed"] = "fast";
+  tree["robot_radius"] = 0;
   tree["tf_rate"] = 0;
   tree["time_scale"] = 6;
   tree["base_frame"] = "/base_link";
+  tree["noise"] = "loud";
+  tree["drift"] = 2;
   tree["radio"]["interior_wall_loss"] = -1;
   tree["access_points"][0]["x"] = "left";
   EXPECT_EQ(problemsOf(tree),
+            "noise: 'loud' is no noise level; there are none, low, ideal, realistic, hard\n"
             "speed must be a number\n"
             "access_points[0]: 'x' must be a finite number\n"
-            "route must name a CSV file with the columns x, y\n"
-            "base_frame must be a frame's name without a leading slash\n"
+            "plan and generate exclude each other: leave one of them empty\n"
+            "generate must be flat or office\n"
+            "route must be walls, sparse or a CSV file with the columns x, y\n"
+            "drive must be route or cmd_vel\n"
+            "robot_radius must lie in 0.01..10\n"
             "tf_rate must lie in 1..1000\n"
             "scan_rate must not exceed tf_rate: each scan is stamped with a transform's time\n"
             "time_scale must be 1 unless publish_clock is true\n"
+            "base_frame must be a frame's name without a leading slash\n"
+            "drift must lie in 0..1\n"
             "radio/interior_wall_loss must lie in 0..100");
 }
 
-TEST(SimulatorConfig, NeedsPlanRouteAndAccessPoints) {
+TEST(SimulatorConfig, NeedsNoMoreThanABuilding) {
   EXPECT_EQ(problemsOf(YAML::Node()),
-            "access_points must be a list with at least one {bssid, x, y}\n"
-            "plan must name a map_server YAML file\n"
-            "route must name a CSV file with the columns x, y");
+            "plan must name a file (map_server YAML, HouseExpo JSON or PNG), or else generate must "
+            "be flat or office");
+  EXPECT_EQ(problemsOf(YAML::Load("{plan: p.json}")), "no problem");
+  EXPECT_EQ(problemsOf(YAML::Load("{generate: office}")), "no problem");
+  EXPECT_EQ(problemsOf(YAML::Load("{plan: p.json, access_points: []}")),
+            "access_points must be a list with at least one {bssid, x, y}");
 }
 
 TEST(SimulatorConfig, RefusesNotANumber) {
