@@ -5,7 +5,7 @@
 
 namespace sfw {
 
-/// What random numbers are drawn for in a simulation: nothing shares numbers with anything else.
+/// What random numbers are drawn for: nothing shares numbers with anything else.
 enum class Purpose : std::uint64_t {
   kLevel,
   kFurniture,
@@ -19,7 +19,9 @@ enum class Purpose : std::uint64_t {
   kShadowing,
   kFading,
   kChannel,
-  kMisses
+  kMisses,
+  kLeftOutBins,  // of an inference, not of a simulation
+  kTrainingCells
 };
 
 /// The stream of random numbers for a purpose.

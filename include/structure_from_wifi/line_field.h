@@ -1,0 +1,83 @@
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <vector>
+
+#include "structure_from_wifi/distance_transform.h"
+#include "structure_from_wifi/grid_geometry.h"
+#include "structure_from_wifi/radio_bins.h"
+#include "structure_from_wifi/shadowing.h"
+
+namespace sfw {
+
+/// Settings of line-field tomography (doc/algorithm.md).
+struct LineFieldConfig {
+  ShadowingModel shadowing;
+  double saturation_db = 15.0;  ///< losses of all walls together stay below; infinity: they add up
+  double sparsity = 0.03;       ///< weight of the sum of all losses
+  double straightness = 8.0;    ///< weight of changes along a wall
+  int iterations = 60;          ///< of each of the two rounds; few: stopping early smooths
+};
+
+/// How much signal each piece of wall takes away.
+struct LineField {
+  explicit LineField(const GridGeometry& geometry) : across_x(geometry), across_y(geometry) {}
+
+  /// Loss [dB] of a wall through the middle of each cell, along y (`across_x`: rays that run along
+  /// x cross it) or along x (`across_y`); 0 where no ray crosses or the robot has been.
+  Grid<float> across_x;
+  Grid<float> across_y;
+};
+
+/// Calls `visit(across_x, Cell)` for each piece of wall that could stand between two points: the
+/// cells on whose middle lines the segment lies, those of columns (`across_x` true) first.
+template <class Visitor>
+void forEachLine(const GridGeometry& geometry, const Position& from, const Position& to,
+                 Visitor&& visit);
+
+/// Sum of the losses between two points, before saturation [dB].
+double lossBetween(const LineField& field, const Position& from, const Position& to);
+
+/// Line-field tomography: walls from all readings of all access points at once.
+///
+/// Minimises 1/2 r' Q r + sparsity sum w x + straightness sum sqrt(D^2 + 0.09) over x >= 0, where r
+/// is the signal less log-distance path loss and saturated wall losses, Q the inverse covariance of
+/// shadowing, noise and unknown power and exponent (SignalPrecision), and D the change from cell to
+/// cell along a wall: walls are few, long and straight. FISTA (Beck and Teboulle 2009), then again
+/// with w small where walls were found. Convex without saturation; deterministic.
+///
+/// @param geometry  of the result, building frame
+/// @param driven    cells of that geometry that the robot covered: no wall stands there
+/// @param stop      polled; when it turns true the result is incomplete
+/// O(iterations x (bins + crossings of rays with the grid's lines)).
+LineField solveLineField(const GridGeometry& geometry, const std::vector<HeardAccessPoint>& heard,
+                         const Mask& driven, const LineFieldConfig& config,
+                         const std::atomic<bool>& stop);
+
+template <class Visitor>
+void forEachLine(const GridGeometry& geometry, const Position& from, const Position& to,
+                 Visitor&& visit) {
+  const Position a = geometry.toCells(from);
+  const Position b = geometry.toCells(to);
+  const auto cross = [](double from_u, double from_v, double to_u, double to_v, auto&& meet) {
+    const double low = std::min(from_u, to_u);
+    const double high = std::max(from_u, to_u);
+    const double slope = (to_v - from_v) / (to_u - from_u);
+    for (double line = std::floor(low - 0.5) + 1.5; line < high; line += 1.0) {
+      if (line > low) {
+        meet(static_cast<std::int64_t>(std::floor(line)),
+             static_cast<std::int64_t>(std::floor(from_v + (line - from_u) * slope)));
+      }
+    }
+  };
+  cross(a.x(), a.y(), b.x(), b.y(), [&](std::int64_t x, std::int64_t y) {
+    visit(true, Cell{x, y});
+  });
+  cross(a.y(), a.x(), b.y(), b.x(), [&](std::int64_t y, std::int64_t x) {
+    visit(false, Cell{x, y});
+  });
+}
+
+}  // namespace sfw

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "structure_from_wifi/building_frame.h"
+#include "structure_from_wifi/types.h"
+
+namespace sfw {
+
+/// Signals of one access point heard at nearly the same place.
+struct RadioBin {
+  Position place = Position::Zero();  ///< their mean [m], building frame
+  double rssi_dbm = 0.0;              ///< their mean
+  double readings = 0.0;              ///< how many
+};
+
+/// What is heard of one access point, thinned to what inference can tell apart.
+struct HeardAccessPoint {
+  Position position = Position::Zero();  ///< [m], building frame
+  std::optional<double> height_m;        ///< above the floor
+  double noise_db2 = 0.0;                ///< variance of one reading at one place
+  std::vector<RadioBin> bins;
+};
+
+/// One reading of an access point.
+struct Sample {
+  Position antenna_in_map = Position::Zero();  ///< [m]
+  double rssi_dbm = 0.0;
+};
+
+/// Puts the readings of one access point into square bins of `bin_m`, in row-major order.
+///
+/// Bins closer than 0.3 m to the access point are left out: there the log-distance law ends. The
+/// noise of a reading is half the mean square of successive differences, each cut at 12 dB.
+/// @param samples  in the order heard
+HeardAccessPoint binned(const std::vector<Sample>& samples, const Position& access_point_in_map,
+                        std::optional<double> height_m, const BuildingFrame& frame, double bin_m);
+
+/// 10 log10 of the distance in space in metres, at least 0.3 m: what the path loss exponent is
+/// multiplied by. The antenna rides 0.6 m above the floor where the access point's height is known.
+double logDistance(const HeardAccessPoint& access_point, const Position& place);
+
+}  // namespace sfw

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "structure_from_wifi/types.h"
+
+namespace sfw {
+
+/// What differs signals of one access point at several places although no wall does.
+struct ShadowingModel {
+  double shadowing_db = 1.0;        ///< standard deviation that neighbouring places share
+  double shadowing_distance = 1.5;  ///< its correlation falls to 1/e here [m]
+  double unexplained_db2 = 1.0;     ///< variance of a place's mean that no other place shares
+  double power_db = 20.0;           ///< prior standard deviation of the power at 1 m
+  double exponent = 0.35;           ///< prior standard deviation of the path loss exponent
+};
+
+/// Inverse covariance of the signals of one access point at many places.
+///
+/// The covariance is
+///   C_ij = shadowing^2 exp(-|p_i - p_j| / distance) + [i = j] (noise_i + unexplained)
+///          + power^2 + exponent^2 h_i h_j
+/// so power and path loss exponent are marginalised, not estimated (h = 10 log10 of distance).
+/// The exponential part is inverted by Vecchia's approximation (1988): each place given its
+/// nearest ones before it, so memory and each product are linear in places; the last two terms,
+/// of rank two, are exact (Woodbury).
+class SignalPrecision {
+ public:
+  /// @param places     [m], any frame
+  /// @param noise_db2  variance of each place's mean signal
+  /// @param loss_db    h of each place
+  SignalPrecision(const std::vector<Position>& places, const std::vector<double>& noise_db2,
+                  const std::vector<double>& loss_db, const ShadowingModel& model);
+
+  /// C^-1 r. O(places).
+  Eigen::VectorXd times(const Eigen::VectorXd& residual) const;
+
+ private:
+  /// One row of the factor L with C^-1 = L' L: itself first, then places before it.
+  struct Entry {
+    int column;
+    double value;
+  };
+
+  Eigen::VectorXd whitenedTwice(const Eigen::VectorXd& residual) const;
+
+  std::vector<int> row_begin_;
+  std::vector<Entry> entries_;
+  Eigen::MatrixXd solved_basis_;  // K^-1 U, one column for power, one for the exponent
+  Eigen::Matrix2d capacitance_;   // (W^-1 + U' K^-1 U)^-1
+};
+
+}  // namespace sfw

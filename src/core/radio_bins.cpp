@@ -1,0 +1,60 @@
+#include "structure_from_wifi/radio_bins.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace sfw {
+namespace {
+
+constexpr double kNearest = 0.3;        // [m]
+constexpr double kAntennaHeight = 0.6;  // [m], of a robot's antenna when nobody says
+constexpr double kLargestStep = 12.0;   // [dB]; larger ones are outliers, not noise
+constexpr double kLeastNoise = 0.3;     // [dB]
+
+double noiseOf(const std::vector<Sample>& samples) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    const double step =
+        std::min(std::abs(samples[i].rssi_dbm - samples[i - 1].rssi_dbm), kLargestStep);
+    sum += 0.5 * step * step;
+  }
+  const double mean = samples.size() > 1 ? sum / static_cast<double>(samples.size() - 1) : 0.0;
+  return std::max(mean, kLeastNoise * kLeastNoise);
+}
+
+}  // namespace
+
+HeardAccessPoint binned(const std::vector<Sample>& samples, const Position& access_point_in_map,
+                        std::optional<double> height_m, const BuildingFrame& frame, double bin_m) {
+  HeardAccessPoint heard;
+  heard.position = frame.toBuilding(access_point_in_map);
+  heard.height_m = height_m;
+  heard.noise_db2 = noiseOf(samples);
+  std::map<std::pair<std::int64_t, std::int64_t>, RadioBin> bins;  // by row, then column
+  for (const Sample& sample : samples) {
+    const Position place = frame.toBuilding(sample.antenna_in_map);
+    RadioBin& bin = bins[{static_cast<std::int64_t>(std::floor(place.y() / bin_m)),
+                          static_cast<std::int64_t>(std::floor(place.x() / bin_m))}];
+    bin.readings += 1.0;
+    bin.place += (place - bin.place) / bin.readings;
+    bin.rssi_dbm += (sample.rssi_dbm - bin.rssi_dbm) / bin.readings;
+  }
+  for (const auto& [key, bin] : bins) {
+    if ((bin.place - heard.position).norm() >= kNearest) {
+      heard.bins.push_back(bin);
+    }
+  }
+  return heard;
+}
+
+double logDistance(const HeardAccessPoint& access_point, const Position& place) {
+  const double on_floor = std::max((place - access_point.position).norm(), kNearest);
+  const double distance = access_point.height_m
+                              ? std::hypot(on_floor, *access_point.height_m - kAntennaHeight)
+                              : on_floor;
+  return 10.0 * std::log10(distance);
+}
+
+}  // namespace sfw
