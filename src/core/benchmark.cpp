@@ -111,8 +111,9 @@ class Benchmark {
 }  // namespace
 
 std::vector<BenchmarkMethod> benchmarkMethods() {
-  // Nothing to select while the mapper has one method.
-  return {{"k_visibility", "K-means k", true, [](Config&) {}}};
+  return {
+      {"tomography", "fused belief", false, [](Config& config) { config.method = "tomography"; }},
+      {"k_visibility", "K-means k", true, [](Config& config) { config.method = "k_visibility"; }}};
 }
 
 std::vector<BenchmarkMethod> benchmarkMethods(const std::vector<std::string>& names) {

@@ -1,9 +1,7 @@
 #include "structure_from_wifi/controls.h"
 
-#include <atomic>
 #include <map>
 
-#include "structure_from_wifi/inference.h"
 #include "structure_from_wifi/mapper.h"
 
 namespace sfw {
@@ -16,18 +14,6 @@ Mapper mapperOf(const std::vector<Reading>& readings, const std::vector<AccessPo
     mapper.insert(reading);
   }
   return mapper;
-}
-
-/// What the mapper believes if it hears nothing: Rule 1 along the path.
-BeliefMap silentBelief(const Mapper& mapper, const Config& config) {
-  std::vector<Position> path;
-  const auto snapshot = mapper.infer();  // owns the path
-  for (const PathPose& pose : snapshot->path) {
-    path.push_back(pose.antenna_in_map);
-  }
-  const std::atomic<bool> never{false};
-  return {inferOccupancy(mapper.geometry(), {}, path, mapper.contacts(), config.inference, never),
-          config.belief};
 }
 
 }  // namespace
@@ -58,7 +44,7 @@ ControlFigures evaluateControls(const EvaluationInput& input, const std::vector<
     setBelief(mapper.infer()->belief, control);
     controls.shifted_radio.push_back(evaluate(control).map);
   }
-  setBelief(silentBelief(mapperOf(readings, access_points, config), config), control);
+  setBelief(mapperOf(readings, access_points, config).inferWithoutRadio()->belief, control);
   controls.no_radio = evaluate(control).map;
   return controls;
 }
