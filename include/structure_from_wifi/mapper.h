@@ -67,7 +67,7 @@ struct Snapshot {
   std::vector<PathPose> path;                     ///< in the order driven
   std::vector<AccessPointSummary> access_points;  ///< in the order of the table
   Rejections rejections;
-  std::optional<TomographySummary> tomography;  ///< of method tomography
+  std::optional<TomographySummary> tomography = {};  ///< of method tomography
 };
 
 /// From readings to the map: collects, then infers everything at once.

@@ -33,7 +33,7 @@ class Benchmark {
   void run(const BenchmarkMethod& method, Config config) {
     method.select(config);
     const Mapper mapper = mapperOf(config);
-    setBelief(mapper.infer()->belief, input_);
+    setMap(*mapper.infer(), input_);
     add(method.name + ", " + method.shipped, evaluate(input_).map);
     if (method.maps_wall_counts) {
       setBelief(inferred(mapper, trueCounts(), config), input_);

@@ -41,7 +41,7 @@ ControlFigures evaluateControls(const EvaluationInput& input, const std::vector<
   EvaluationInput control = input;
   for (int shift = 1; shift <= kRadioShifts; ++shift) {
     const Mapper mapper = mapperOf(withShiftedRadio(readings, shift), access_points, config);
-    setBelief(mapper.infer()->belief, control);
+    setMap(*mapper.infer(), control);
     controls.shifted_radio.push_back(evaluate(control).map);
   }
   setBelief(mapperOf(readings, access_points, config).inferWithoutRadio()->belief, control);
@@ -53,12 +53,20 @@ void setBelief(const BeliefMap& belief, EvaluationInput& input) {
   const GridGeometry& geometry = belief.geometry();
   input.map = Grid<CellState>(geometry);
   input.probabilities = Grid<float>(geometry);
+  input.wall_loss.reset();
   Cell c;
   for (c.y = 0; c.y < geometry.height(); ++c.y) {
     for (c.x = 0; c.x < geometry.width(); ++c.x) {
       input.map[c] = belief.state(c);
       (*input.probabilities)[c] = belief.occupied(c);
     }
+  }
+}
+
+void setMap(const Snapshot& snapshot, EvaluationInput& input) {
+  setBelief(snapshot.belief, input);
+  if (snapshot.tomography) {
+    input.wall_loss = snapshot.tomography->wall_loss;
   }
 }
 

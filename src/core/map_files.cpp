@@ -43,10 +43,10 @@ std::string formatted(const char* format, Arguments... arguments) {
 }
 
 std::string mapYaml(const char* image, const GridGeometry& geometry, const char* mode,
-                    const char* thresholds) {
-  return formatted("image: %s\nresolution: %.9g\norigin: [%.9g, %.9g, 0]\nnegate: 0\nmode: %s\n%s",
-                   image, geometry.resolution(), geometry.origin().x(), geometry.origin().y(), mode,
-                   thresholds);
+                    const char* thresholds, int negate = 0) {
+  return formatted("image: %s\nresolution: %.9g\norigin: [%.9g, %.9g, 0]\nnegate: %d\nmode: %s\n%s",
+                   image, geometry.resolution(), geometry.origin().x(), geometry.origin().y(),
+                   negate, mode, thresholds);
 }
 
 ordered_json describe(const Config& config) {
@@ -158,7 +158,8 @@ std::string wallLossPgm(const Grid<float>& wall_loss) {
 }
 
 std::string wallLossYaml(const GridGeometry& geometry) {
-  return mapYaml("wall_loss.pgm", geometry, "raw", "occupied_thresh: 1.0\nfree_thresh: 0.0\n") +
+  return mapYaml("wall_loss.pgm", geometry, "scale", "occupied_thresh: 1.0\nfree_thresh: 0.0\n",
+                 1) +
          formatted("decibels_per_step: %.9g\n", kWallLossStep);
 }
 
