@@ -39,9 +39,9 @@ class Unknowns {
 
   static constexpr std::int32_t kNone = -1;
 
-  /// The unknown of a cell, made if need be; kNone if there cannot be one.
+  /// The unknown of a cell of the grid, made if need be; kNone if the robot was there.
   std::int32_t at(Direction direction, Cell cell) {
-    if (!geometry_.contains(cell) || driven_[cell] != 0) {
+    if (driven_[cell] != 0) {
       return kNone;
     }
     std::int32_t& id = ids(direction)[cell];
@@ -288,9 +288,7 @@ double lossBetween(const LineField& field, const Position& from, const Position&
   const GridGeometry& geometry = field.across_x.geometry;
   double loss = 0.0;
   forEachLine(geometry, from, to, [&](bool across_x, Cell cell) {
-    if (geometry.contains(cell)) {
-      loss += static_cast<double>((across_x ? field.across_x : field.across_y)[cell]);
-    }
+    loss += static_cast<double>((across_x ? field.across_x : field.across_y)[cell]);
   });
   return loss;
 }
