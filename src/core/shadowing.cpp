@@ -10,8 +10,8 @@
 namespace sfw {
 namespace {
 
-/// With 12 the product with the true covariance differs from the identity by less than shadowing's
-/// own uncertainty.
+/// With 12 the variance of most sums of signals is right within a seventh, and of the worst one
+/// within a half: far less than what is known of shadowing.
 constexpr std::size_t kNeighbours = 12;
 
 /// Places in an order in which each finds neighbours on all sides among those before it: coarse
@@ -81,7 +81,10 @@ SignalPrecision::SignalPrecision(const std::vector<Position>& places,
       }
     }
     const Eigen::VectorXd weight = size > 0 ? Eigen::VectorXd(among.ldlt().solve(with)) : with;
-    const double scale = 1.0 / std::sqrt(covariance(place, place) - weight.dot(with));
+    // No place is known better than what it alone has; rounding could say so where places coincide.
+    const double own = noise_db2[static_cast<std::size_t>(place)] + model.unexplained_db2;
+    const double scale =
+        1.0 / std::sqrt(std::max(covariance(place, place) - weight.dot(with), own));
     entries_.push_back({place, scale});
     for (Eigen::Index i = 0; i < size; ++i) {
       entries_.push_back({neighbours[static_cast<std::size_t>(i)], -scale * weight[i]});
