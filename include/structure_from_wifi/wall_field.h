@@ -17,8 +17,13 @@ struct WallFieldConfig {
 
 /// What the radio alone says of walls, in the building frame.
 struct WallField {
-  LineField loss;        ///< of a wall at each cell, mean over the members [dB]
-  Grid<float> strength;  ///< of the wall at each cell, both directions together [dB]
+  /// Loss of a wall at each cell, mean over the members [dB]. The members' lines lie one to several
+  /// cells apart, so this cannot be summed along a ray; `ray_loss` is.
+  LineField loss;
+
+  /// Of the wall at each cell, both directions together, less close to the robot's footprint, from
+  /// which it keeps walls away [dB].
+  Grid<float> strength;
 
   /// Loss on the ray to each bin of each access point, mean over the members, unsaturated [dB].
   std::vector<std::vector<double>> ray_loss;
