@@ -124,11 +124,14 @@ struct Rays {
   Eigen::VectorXd along(const Vector& x) const {
     Eigen::VectorXd sums(static_cast<Eigen::Index>(size()));
     for (std::size_t ray = 0; ray < size(); ++ray) {
-      float sum = 0.0F;
-      for (std::size_t i = begin[ray]; i < begin[ray + 1]; ++i) {
-        sum += x[crossed[i]];
+      float even = 0.0F, odd = 0.0F;  // two, as each addition waits for the one before
+      std::size_t i = begin[ray];
+      for (; i + 1 < begin[ray + 1]; i += 2) {
+        even += x[crossed[i]];
+        odd += x[crossed[i + 1]];
       }
-      sums[static_cast<Eigen::Index>(ray)] = static_cast<double>(sum);
+      even += i < begin[ray + 1] ? x[crossed[i]] : 0.0F;
+      sums[static_cast<Eigen::Index>(ray)] = static_cast<double>(even + odd);
     }
     return sums;
   }
