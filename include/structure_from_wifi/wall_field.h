@@ -17,8 +17,8 @@ struct WallFieldConfig {
 
 /// What the radio alone says of walls, in the building frame.
 struct WallField {
-  /// Loss of a wall at each cell, mean over the members [dB]. The members' lines lie one to several
-  /// cells apart, so this cannot be summed along a ray; `ray_loss` is.
+  /// Loss of a wall at each cell, mean over the members [dB]. A member's line fills all cells of
+  /// its own larger one, so sums along a ray count it that often: `ray_loss` does not.
   LineField loss;
 
   /// Of the wall at each cell, both directions together, less close to the robot's footprint, from

@@ -146,6 +146,18 @@ TEST(WallField, TellsTheLossOfEachRay) {
   EXPECT_LT(aside / aside_count, 0.5 * behind / behind_count);
 }
 
+TEST(WallField, MeanLossCountsALineOnceForEachOfItsCells) {
+  const World world = twoRooms();
+  const WallFieldConfig config;
+  const WallField field = wallsOf(world, config);
+  double ours = 0.0, summed = 0.0;
+  for (std::size_t i = 0; i < world.places.size(); ++i) {
+    ours += field.ray_loss[0][i];
+    summed += lossBetween(field.loss, world.heard[0].position, world.places[i]);
+  }
+  EXPECT_NEAR(summed * kHall.resolution() / config.line_resolution, ours, 0.1 * ours);
+}
+
 /// Mean difference of strength from that of the moved world, as a share of the mean strength.
 template <class Move>
 double changeUnder(Move&& move) {
