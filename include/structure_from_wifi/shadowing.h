@@ -28,7 +28,7 @@ struct ShadowingModel {
 class SignalPrecision {
  public:
   /// @param places     [m], any frame
-  /// @param noise_db2  variance of each place's mean signal
+  /// @param noise_db2  variance of each place's mean signal; with `unexplained_db2` positive
   /// @param loss_db    h of each place
   SignalPrecision(const std::vector<Position>& places, const std::vector<double>& noise_db2,
                   const std::vector<double>& loss_db, const ShadowingModel& model);
