@@ -214,6 +214,7 @@ FusedBelief fuse(const GridGeometry& geometry, const MappedDrive& drive, const B
                  const Config& config, bool radio, const std::atomic<bool>& stop) {
   FusedBelief belief{Grid<float>(geometry, kUnknown), Grid<float>(geometry), 0.0, {}, {}};
   if (drive.path.empty()) {
+    belief.sample_loss.resize(drive.heard.size());
     return belief;
   }
   const DescribedDrive described = describeDrive(drive, config, stop);
