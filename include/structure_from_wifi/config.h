@@ -66,6 +66,9 @@ struct Config {
   struct Ros {
     std::string map_frame = "map";
     std::string antenna_frame = "base_link";
+    std::string odom_frame = "odom";  ///< readings follow it when the past is corrected
+    double jump_distance = 0.1;       ///< a larger correction of odom_frame moves the past [m]
+    double jump_angle = 0.05;         ///< likewise [rad]
     double publish_rate = 1.0;        ///< most map updates a second [Hz]
     double transform_timeout = 5.0;   ///< a scan waits this long for its transform [s]
     double tf_cache = 30.0;           ///< transforms are kept this long [s]
@@ -110,6 +113,9 @@ void forEachSetting(AnyConfig& config, Visitor&& visit) {
   visit("octomap/robot_height", config.octomap.robot_height);
   visit("ros/map_frame", config.ros.map_frame);
   visit("ros/antenna_frame", config.ros.antenna_frame);
+  visit("ros/odom_frame", config.ros.odom_frame);
+  visit("ros/jump_distance", config.ros.jump_distance);
+  visit("ros/jump_angle", config.ros.jump_angle);
   visit("ros/publish_rate", config.ros.publish_rate);
   visit("ros/transform_timeout", config.ros.transform_timeout);
   visit("ros/tf_cache", config.ros.tf_cache);

@@ -13,6 +13,7 @@
 #include "structure_from_wifi/building_frame.h"
 #include "structure_from_wifi/config.h"
 #include "structure_from_wifi/inference.h"
+#include "structure_from_wifi/odometry_anchor.h"
 #include "structure_from_wifi/rssi.h"
 #include "structure_from_wifi/types.h"
 
@@ -85,6 +86,13 @@ class Mapper {
   /// O(log access points). Anything but kAccepted and kUnknownAccessPoint leaves the map as it was.
   Insertion insert(const Reading& reading);
   Insertion insert(const Contact& contact);
+
+  /// Moves all readings and contacts as a localisation corrected the past. What the map cannot
+  /// hold there is left out and counted. O(readings log fixes).
+  void correct(const PathCorrection& correction);
+
+  /// Grows the map to that of another mapper; one that is too large changes nothing.
+  void growTo(const Mapper& other);
 
   /// Forgets readings, path and contacts; the geometry stays.
   void reset();

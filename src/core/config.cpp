@@ -81,6 +81,9 @@ std::vector<std::string> validate(const Config& config) {
   rules.positive("octomap/robot_height", config.octomap.robot_height);
   rules.frame("ros/map_frame", config.ros.map_frame);
   rules.frame("ros/antenna_frame", config.ros.antenna_frame);
+  rules.frame("ros/odom_frame", config.ros.odom_frame);
+  rules.positive("ros/jump_distance", config.ros.jump_distance);
+  rules.positive("ros/jump_angle", config.ros.jump_angle);
   rules.positive("ros/publish_rate", config.ros.publish_rate);
   rules.notNegative("ros/transform_timeout", config.ros.transform_timeout);
   rules.positive("ros/tf_cache", config.ros.tf_cache);

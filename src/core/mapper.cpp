@@ -174,6 +174,32 @@ Insertion Mapper::insert(const Contact& contact) {
   return insertion;
 }
 
+void Mapper::correct(const PathCorrection& correction) {
+  if (correction.empty()) {
+    return;
+  }
+  const auto moveAll = [&](auto& all, auto position) {
+    auto kept = all.begin();
+    for (auto one : all) {
+      one.*position = rounded(correction.moved(one.stamp_ns, one.*position));
+      const Insertion insertion = makeRoomFor(one.*position);
+      if (insertion == Insertion::kAccepted) {
+        *kept++ = one;
+      } else {
+        ++rejections_.count[insertion];
+      }
+    }
+    all.erase(kept, all.end());
+  };
+  moveAll(readings_, &Reading::antenna_in_map);
+  moveAll(contacts_, &Contact::point_in_map);
+}
+
+void Mapper::growTo(const Mapper& other) {
+  makeRoomFor(other.extent_.min());
+  makeRoomFor(other.extent_.max());
+}
+
 void Mapper::reset() {
   readings_.clear();
   contacts_.clear();
