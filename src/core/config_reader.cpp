@@ -96,8 +96,10 @@ std::string nearestSetting(const std::string& name) {
   std::string nearest;
   std::size_t least = std::string::npos;
   const Config defaults;
-  forEachSetting(defaults, [&](const char* known, const auto&) {
-    const std::size_t distance = editDistance(name, known);
+  forEachSetting(defaults, [&](const std::string& known, const auto&) {
+    // The group may be what was left out.
+    const std::string last = known.substr(known.rfind('/') + 1);
+    const std::size_t distance = std::min(editDistance(name, known), editDistance(name, last));
     if (distance < least) {
       least = distance;
       nearest = known;

@@ -30,6 +30,7 @@ inline Reading reading(std::int64_t stamp_s, double x, double y, double rssi_dbm
 inline Config rawConfig() {
   Config config;
   config.method = "k_visibility";
+  config.belief.free_threshold = 0.35;
   config.map.resolution = 0.1;
   config.rssi.path_loss_exponent = 0.0;
   config.rssi.window = 1;

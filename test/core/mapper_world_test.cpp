@@ -85,6 +85,8 @@ std::vector<AccessPoint> tableOf(const std::vector<Position>& positions) {
 template <class Move>
 std::shared_ptr<const Snapshot> mapOf(Move&& move, double wall_loss_db = 10.0) {
   Config config;
+  config.method = "k_visibility";
+  config.belief.free_threshold = 0.35;
   config.rssi.path_loss_exponent = 0.0;
   config.rssi.window = 1;
   config.inference.wall_thickness = kWallThickness;
