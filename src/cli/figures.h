@@ -48,6 +48,10 @@ void forEachFigure(const MapFigures& m, Visitor&& visit) {
   visit("brier", "probability: Brier score", within(m.probability, &ProbabilityFigures::brier));
   visit("log_loss", "probability: log-loss [nat]",
         within(m.probability, &ProbabilityFigures::log_loss));
+  visit("radio_auc", "wall loss by radio alone: area under the curve",
+        within(m.radio, &RadioFigures::auc));
+  visit("radio_auc_off_path", "wall loss beyond 0.3 m of the path: the same",
+        within(m.radio, &RadioFigures::auc_off_path));
 }
 
 inline nlohmann::ordered_json figuresJson(const MapFigures& figures) {
