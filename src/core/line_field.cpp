@@ -7,11 +7,6 @@
 namespace sfw {
 namespace {
 
-/// Mean of log-distance path loss and power before anything is heard; the priors around it are
-/// wide.
-constexpr double kPriorPower = -37.0;  // [dBm] at 1 m
-constexpr double kPriorExponent = 2.1;
-
 /// Changes along a wall are penalised by their size above this, quadratically below [dB].
 constexpr double kSoftChange = 0.3;
 

@@ -53,9 +53,9 @@ std::vector<int> neighboursOf(const std::vector<Position>& places, const std::ve
 
 }  // namespace
 
-SignalPrecision::SignalPrecision(const std::vector<Position>& places,
-                                 const std::vector<double>& noise_db2,
-                                 const std::vector<double>& loss_db, const ShadowingModel& model) {
+ShadowingWhitener::ShadowingWhitener(const std::vector<Position>& places,
+                                     const std::vector<double>& noise_db2,
+                                     const ShadowingModel& model) {
   const std::size_t count = places.size();
   const double variance = model.shadowing_db * model.shadowing_db;
   const auto covariance = [&](int a, int b) {
@@ -88,35 +88,49 @@ SignalPrecision::SignalPrecision(const std::vector<Position>& places,
     }
     row_begin_.push_back(static_cast<int>(entries_.size()));
   }
-  Eigen::MatrixXd basis(static_cast<Eigen::Index>(count), 2);
-  solved_basis_.resize(static_cast<Eigen::Index>(count), 2);
-  for (std::size_t i = 0; i < count; ++i) {
-    basis.row(static_cast<Eigen::Index>(i)) << model.power_db, model.exponent * loss_db[i];
-  }
-  for (Eigen::Index column = 0; column < 2; ++column) {
-    solved_basis_.col(column) = whitenedTwice(basis.col(column));
-  }
-  capacitance_ = (Eigen::Matrix2d::Identity() + basis.transpose() * solved_basis_).inverse();
 }
 
-Eigen::VectorXd SignalPrecision::whitenedTwice(const Eigen::VectorXd& residual) const {
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(residual.size());
+Eigen::VectorXd ShadowingWhitener::whitened(const Eigen::VectorXd& values) const {
+  Eigen::VectorXd white = Eigen::VectorXd::Zero(values.size());
   for (std::size_t row = 0; row + 1 < row_begin_.size(); ++row) {
-    double white = 0.0;
     for (int i = row_begin_[row]; i < row_begin_[row + 1]; ++i) {
       const Entry& entry = entries_[static_cast<std::size_t>(i)];
-      white += entry.value * residual[entry.column];
+      white[static_cast<Eigen::Index>(row)] += entry.value * values[entry.column];
     }
+  }
+  return white;
+}
+
+Eigen::VectorXd ShadowingWhitener::whitenedTwice(const Eigen::VectorXd& values) const {
+  const Eigen::VectorXd white = whitened(values);
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(values.size());
+  for (std::size_t row = 0; row + 1 < row_begin_.size(); ++row) {
     for (int i = row_begin_[row]; i < row_begin_[row + 1]; ++i) {
       const Entry& entry = entries_[static_cast<std::size_t>(i)];
-      result[entry.column] += entry.value * white;
+      result[entry.column] += entry.value * white[static_cast<Eigen::Index>(row)];
     }
   }
   return result;
 }
 
+SignalPrecision::SignalPrecision(const std::vector<Position>& places,
+                                 const std::vector<double>& noise_db2,
+                                 const std::vector<double>& loss_db, const ShadowingModel& model)
+    : whitener_(places, noise_db2, model) {
+  const auto count = static_cast<Eigen::Index>(places.size());
+  Eigen::MatrixXd basis(count, 2);
+  solved_basis_.resize(count, 2);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    basis.row(i) << model.power_db, model.exponent * loss_db[static_cast<std::size_t>(i)];
+  }
+  for (Eigen::Index column = 0; column < 2; ++column) {
+    solved_basis_.col(column) = whitener_.whitenedTwice(basis.col(column));
+  }
+  capacitance_ = (Eigen::Matrix2d::Identity() + basis.transpose() * solved_basis_).inverse();
+}
+
 Eigen::VectorXd SignalPrecision::times(const Eigen::VectorXd& residual) const {
-  return whitenedTwice(residual) -
+  return whitener_.whitenedTwice(residual) -
          solved_basis_ * (capacitance_ * (solved_basis_.transpose() * residual));
 }
 
