@@ -26,8 +26,9 @@ struct AccessPointEstimate {
 /// Finds an access point from its readings.
 ///
 /// Each position R of a grid is judged by the marginal likelihood of the mean signals of square
-/// bins: power -37 +- 8 dBm at 1 m, exponent 2.1 +- .35, and 1.0 +- .6 dB for each metre, which is
-/// what walls come to on average; shadowing correlated over 3 m. The grid's cells are quartered
+/// bins: power -37 +- 8 dBm at 1 m, exponent 2.1 +- .35, 1.0 +- .6 dB for each metre, which is what
+/// walls come to on average, and +- 1.4 dB of antenna pattern along each axis; shadowing of 4 dB
+/// correlated over 3 m. The grid's cells are quartered
 /// where the likelihood is high until they are finer than its peak. The result is mean and
 /// covariance of the likelihood over all cells (doc/algorithm.md).
 ///
@@ -36,7 +37,7 @@ struct AccessPointEstimate {
 /// @return nothing if the readings do not tell: fewer than 12 bins, signals that are all alike, or
 /// no better than 5 m known on some axis although there is only one place likely.
 /// Deterministic; the order of samples does not matter. The search reaches 8 m beyond the path.
-/// Cost is bounded: 300 bins and 4500 positions, 26 terms each, at most.
+/// Cost is bounded: 300 bins and 4500 positions, 52 terms each, at most.
 std::optional<AccessPointEstimate> estimateAccessPoint(
     const std::vector<Sample>& samples, std::optional<double> height_m = std::nullopt);
 

@@ -1,13 +1,12 @@
 #include "structure_from_wifi/access_point_estimation.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 #include <utility>
 
-#include "structure_from_wifi/shadowing.h"
+#include "access_point_likelihood.h"
 
 namespace sfw {
 namespace {
@@ -30,25 +29,10 @@ constexpr double kNegligible = 12.0;
 /// A mean that is this much less likely than the best lies between places, not at one.
 constexpr double kAmbiguous = 3.0;
 
-constexpr double kDecibel = 0.2302585092994045684;  // as a natural logarithm of power
-
 /// Simulated access points that stand where they are said to hardly ever pass both limits; most of
 /// those moved by 3 m or more do.
 constexpr double kSuspectRatio = 6.0;
 constexpr double kSuspectDistance = 1.5;  // [m]
-
-constexpr Eigen::Index kTerms = 3;  // power, exponent, loss for each metre
-const Eigen::Vector3d kPriorMean(kPriorPower, -kPriorExponent, -1.0);
-const Eigen::Vector3d kPriorDeviation(8.0, 0.35, 0.6);
-
-/// What shadows signals when no wall is modelled.
-ShadowingModel shadowingModel() {
-  ShadowingModel model;
-  model.shadowing_db = 4.0;
-  model.shadowing_distance = 3.0;
-  model.unexplained_db2 = 9.0;
-  return model;
-}
 
 /// Bins of a size that keeps them few.
 HeardAccessPoint thinned(std::vector<Sample> samples, std::optional<double> height_m) {
@@ -82,82 +66,6 @@ double spreadOf(const std::vector<RadioBin>& bins) {
   return std::sqrt(square / static_cast<double>(bins.size()));
 }
 
-/// How likely the readings are for an access point at a place.
-class Likelihood {
- public:
-  explicit Likelihood(HeardAccessPoint heard)
-      : heard_(std::move(heard)), whitener_(whitenerOf(heard_)) {
-    signals_.resize(static_cast<Eigen::Index>(heard_.bins.size()));
-    for (std::size_t i = 0; i < heard_.bins.size(); ++i) {
-      signals_[static_cast<Eigen::Index>(i)] = heard_.bins[i].rssi_dbm;
-    }
-    white_signals_ = whitener_.whitened(signals_);
-    white_one_ = whitener_.whitened(Eigen::VectorXd::Ones(signals_.size()));
-  }
-
-  /// Logarithm, up to a constant. O(bins).
-  double at(const Position& place) {
-    const Eigen::MatrixXd basis = whiteBasis(place);
-    const Eigen::VectorXd residual = white_signals_ - basis * kPriorMean;
-    const Eigen::MatrixXd scaled = basis * kPriorDeviation.asDiagonal();
-    const Eigen::Matrix3d information = Eigen::Matrix3d::Identity() + scaled.transpose() * scaled;
-    const Eigen::LLT<Eigen::Matrix3d> factor(information);
-    const Eigen::Vector3d pull = scaled.transpose() * residual;
-    const double half_log_determinant =
-        factor.matrixL().toDenseMatrix().diagonal().array().log().sum();
-    return 0.5 * (pull.dot(factor.solve(pull)) - residual.squaredNorm()) - half_log_determinant;
-  }
-
-  /// Root mean square of the signals to the law fitted for that place [dB].
-  double residualAt(const Position& place) {
-    const Eigen::MatrixXd white = whiteBasis(place);
-    const Eigen::MatrixXd scaled = white * kPriorDeviation.asDiagonal();
-    const Eigen::Matrix3d information = Eigen::Matrix3d::Identity() + scaled.transpose() * scaled;
-    const Eigen::Vector3d law =
-        kPriorMean + kPriorDeviation.cwiseProduct(information.llt().solve(
-                         scaled.transpose() * (white_signals_ - white * kPriorMean)));
-    return (signals_ - basisAt(place) * law).norm() /
-           std::sqrt(static_cast<double>(signals_.size()));
-  }
-
-  const HeardAccessPoint& heard() const { return heard_; }
-
- private:
-  static ShadowingWhitener whitenerOf(const HeardAccessPoint& heard) {
-    std::vector<Position> places;
-    std::vector<double> noise;
-    for (const RadioBin& bin : heard.bins) {
-      places.push_back(bin.place);
-      noise.push_back(heard.noise_db2 / bin.readings);
-    }
-    return {places, noise, shadowingModel()};
-  }
-
-  Eigen::MatrixXd basisAt(const Position& place) {
-    heard_.position = place;
-    Eigen::MatrixXd basis(signals_.size(), kTerms);
-    for (Eigen::Index i = 0; i < signals_.size(); ++i) {
-      const double loss = logDistance(heard_, heard_.bins[static_cast<std::size_t>(i)].place);
-      basis.row(i) << 1.0, loss, std::exp(kDecibel * loss);
-    }
-    return basis;
-  }
-
-  Eigen::MatrixXd whiteBasis(const Position& place) {
-    Eigen::MatrixXd basis = basisAt(place);
-    basis.col(0) = white_one_;
-    basis.col(1) = whitener_.whitened(basis.col(1));
-    basis.col(2) = whitener_.whitened(basis.col(2));
-    return basis;
-  }
-
-  HeardAccessPoint heard_;
-  ShadowingWhitener whitener_;
-  Eigen::VectorXd signals_;
-  Eigen::VectorXd white_signals_;
-  Eigen::VectorXd white_one_;
-};
-
 /// A square of places and how likely its middle is.
 struct Patch {
   Position middle;
@@ -167,7 +75,7 @@ struct Patch {
 
 bool likelier(const Patch& a, const Patch& b) { return a.log_likelihood > b.log_likelihood; }
 
-std::vector<Patch> coarsePatches(Likelihood& likelihood) {
+std::vector<Patch> coarsePatches(AccessPointLikelihood& likelihood) {
   Box box;
   for (const RadioBin& bin : likelihood.heard().bins) {
     box.extend(bin.place);
@@ -185,7 +93,7 @@ std::vector<Patch> coarsePatches(Likelihood& likelihood) {
 }
 
 /// Quarters the likeliest patches.
-void refine(Likelihood& likelihood, std::vector<Patch>& patches) {
+void refine(AccessPointLikelihood& likelihood, std::vector<Patch>& patches) {
   std::stable_sort(patches.begin(), patches.end(), likelier);
   const double least = patches.front().log_likelihood - kNegligible;
   std::vector<Patch> quarters;
@@ -236,7 +144,7 @@ double widestOf(const Eigen::Matrix2d& covariance) {
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(covariance).eigenvalues().maxCoeff());
 }
 
-std::optional<AccessPointEstimate> search(Likelihood& likelihood) {
+std::optional<AccessPointEstimate> search(AccessPointLikelihood& likelihood) {
   const std::vector<RadioBin>& bins = likelihood.heard().bins;
   std::vector<Patch> patches = coarsePatches(likelihood);
   for (int i = 0; i < kRefinements; ++i) {
@@ -261,27 +169,27 @@ std::optional<AccessPointEstimate> search(Likelihood& likelihood) {
   return estimate;
 }
 
-std::optional<Likelihood> likelihoodOf(const std::vector<Sample>& samples,
-                                       std::optional<double> height_m) {
+std::optional<AccessPointLikelihood> likelihoodOf(const std::vector<Sample>& samples,
+                                                  std::optional<double> height_m) {
   HeardAccessPoint heard = thinned(samples, height_m);
   if (heard.bins.size() < kFewestBins || spreadOf(heard.bins) < kLeastSpread) {
     return std::nullopt;
   }
-  return Likelihood(std::move(heard));
+  return AccessPointLikelihood(std::move(heard));
 }
 
 }  // namespace
 
 std::optional<AccessPointEstimate> estimateAccessPoint(const std::vector<Sample>& samples,
                                                        std::optional<double> height_m) {
-  std::optional<Likelihood> likelihood = likelihoodOf(samples, height_m);
+  std::optional<AccessPointLikelihood> likelihood = likelihoodOf(samples, height_m);
   return likelihood ? search(*likelihood) : std::nullopt;
 }
 
 std::optional<AccessPointFit> accessPointFit(const std::vector<Sample>& samples,
                                              const Position& place,
                                              std::optional<double> height_m) {
-  std::optional<Likelihood> likelihood = likelihoodOf(samples, height_m);
+  std::optional<AccessPointLikelihood> likelihood = likelihoodOf(samples, height_m);
   const std::optional<AccessPointEstimate> estimate =
       likelihood ? search(*likelihood) : std::nullopt;
   if (!estimate) {

@@ -255,8 +255,9 @@ class Prediction {
 }  // namespace
 
 PredictionConfig::PredictionConfig() {
+  walls.members = 4;
   walls.line.saturation_db = 15.0;
-  walls.line.shadowing.unexplained_db2 = 4.0;
+  walls.line.shadowing.unexplained_db2 = 9.0;
   shadowing.shadowing_db = 3.5;
   shadowing.shadowing_distance = 1.0;
   shadowing.unexplained_db2 = 4.0;
