@@ -17,7 +17,8 @@ import unittest
 import junit
 from command_line_case import CommandLine
 
-MAPS = ["k_visibility, K-means k", "k_visibility, true k", "k_visibility, shifted radio",
+MAPS = ["tomography, fused belief", "tomography, shifted radio", "tomography, no radio",
+        "k_visibility, K-means k", "k_visibility, true k", "k_visibility, shifted radio",
         "k_visibility, no radio", "every ray is free", "path only"]
 
 

@@ -58,9 +58,9 @@ struct AccessPointFit {
 /// | noise, path       | right place | 2 m off | 3 m off | 4 m off | 5 m off |
 /// |-------------------|-------------|---------|---------|---------|---------|
 /// | realistic, walls  | 0           | .96     | .88     | 1       | .92     |
-/// | realistic, sparse | 0           | .75     | .75     | .88     | .92     |
-/// | hard, walls       | 0           | .96     | .92     | 1       | .96     |
-/// | hard, sparse      | 0           | .79     | .75     | .88     | .88     |
+/// | realistic, sparse | 0           | .75     | .79     | .88     | .92     |
+/// | hard, walls       | 0           | .96     | .88     | 1       | .92     |
+/// | hard, sparse      | 0           | .62     | .75     | .88     | .88     |
 ///
 /// Real ones: none of 5 at home, but 2 of 6 right ones that hang on walls beyond all of the path.
 ///

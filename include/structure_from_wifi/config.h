@@ -8,6 +8,10 @@ namespace sfw {
 
 /// Every setting of the package, with its default. config/mapping.yaml explains each one.
 struct Config {
+  /// How walls are inferred: "tomography" from all readings together, fused with the path, or
+  /// "k_visibility" from wall counts, as in the paper.
+  std::string method = "tomography";
+
   /// Extent and grain of the map.
   struct Map {
     double resolution = 0.05;           ///< edge of a cell [m]
@@ -27,6 +31,16 @@ struct Config {
     double min_wall_loss = 5.0;       ///< least distance of neighbouring centroids [dB]
   } rssi;
 
+  /// From all readings to the losses of walls.
+  struct Tomography {
+    double bin = 0.2;           ///< readings of one access point this close count as one [m]
+    double saturation = 0.0;    ///< losses of all walls stay below [dB]; 0: they add up
+    double sparsity = 0.03;     ///< weight of the sum of all losses: fewer walls
+    double straightness = 8.0;  ///< weight of changes along a wall: longer walls
+    double unexplained = 2.0;   ///< standard deviation of a bin that nothing explains [dB]
+    std::int64_t members = 8;   ///< solutions that are averaged
+  } tomography;
+
   /// From wall counts to cells.
   struct Inference {
     double footprint_radius = 0.15;  ///< of the robot [m]
@@ -37,8 +51,9 @@ struct Config {
 
   /// From probability to free, occupied and unknown.
   struct Belief {
-    double free_threshold = 0.35;      ///< free below this probability of being occupied
+    double free_threshold = 0.19;      ///< free below this probability of being occupied
     double occupied_threshold = 0.65;  ///< occupied above it
+    std::string model;                 ///< file of `sfw fit` for tomography; empty: as shipped
   } belief;
 
   /// Extrusion into OctoMap.
@@ -51,6 +66,9 @@ struct Config {
   struct Ros {
     std::string map_frame = "map";
     std::string antenna_frame = "base_link";
+    std::string odom_frame = "odom";  ///< readings follow it when the past is corrected
+    double jump_distance = 0.1;       ///< a larger correction of odom_frame moves the past [m]
+    double jump_angle = 0.05;         ///< likewise [rad]
     double publish_rate = 1.0;        ///< most map updates a second [Hz]
     double transform_timeout = 5.0;   ///< a scan waits this long for its transform [s]
     double tf_cache = 30.0;           ///< transforms are kept this long [s]
@@ -66,6 +84,7 @@ struct Config {
 /// report and the tests are all made from it.
 template <class AnyConfig, class Visitor>
 void forEachSetting(AnyConfig& config, Visitor&& visit) {
+  visit("method", config.method);
   visit("map/resolution", config.map.resolution);
   visit("map/margin", config.map.margin);
   visit("map/growth_step", config.map.growth_step);
@@ -77,16 +96,26 @@ void forEachSetting(AnyConfig& config, Visitor&& visit) {
   visit("rssi/walls", config.rssi.walls);
   visit("rssi/max_walls", config.rssi.max_walls);
   visit("rssi/min_wall_loss", config.rssi.min_wall_loss);
+  visit("tomography/bin", config.tomography.bin);
+  visit("tomography/saturation", config.tomography.saturation);
+  visit("tomography/sparsity", config.tomography.sparsity);
+  visit("tomography/straightness", config.tomography.straightness);
+  visit("tomography/unexplained", config.tomography.unexplained);
+  visit("tomography/members", config.tomography.members);
   visit("inference/footprint_radius", config.inference.footprint_radius);
   visit("inference/max_gap", config.inference.max_gap);
   visit("inference/wall_thickness", config.inference.wall_thickness);
   visit("inference/wall_density", config.inference.wall_density);
   visit("belief/free_threshold", config.belief.free_threshold);
   visit("belief/occupied_threshold", config.belief.occupied_threshold);
+  visit("belief/model", config.belief.model);
   visit("octomap/wall_height", config.octomap.wall_height);
   visit("octomap/robot_height", config.octomap.robot_height);
   visit("ros/map_frame", config.ros.map_frame);
   visit("ros/antenna_frame", config.ros.antenna_frame);
+  visit("ros/odom_frame", config.ros.odom_frame);
+  visit("ros/jump_distance", config.ros.jump_distance);
+  visit("ros/jump_angle", config.ros.jump_angle);
   visit("ros/publish_rate", config.ros.publish_rate);
   visit("ros/transform_timeout", config.ros.transform_timeout);
   visit("ros/tf_cache", config.ros.tf_cache);

@@ -5,6 +5,7 @@
 #include "structure_from_wifi/belief_map.h"
 #include "structure_from_wifi/config.h"
 #include "structure_from_wifi/evaluation.h"
+#include "structure_from_wifi/mapper.h"
 #include "structure_from_wifi/types.h"
 
 namespace sfw {
@@ -30,7 +31,10 @@ ControlFigures evaluateControls(const EvaluationInput& input, const std::vector<
                                 const std::vector<AccessPoint>& access_points,
                                 const Config& config);
 
-/// The map and probabilities of a mapper's belief, for evaluate().
+/// The map and probabilities of a belief, for evaluate(), without wall losses.
 void setBelief(const BeliefMap& belief, EvaluationInput& input);
+
+/// The same of a mapper's belief, with the wall losses that it found.
+void setMap(const Snapshot& snapshot, EvaluationInput& input);
 
 }  // namespace sfw

@@ -39,6 +39,13 @@ struct ProbabilityFigures {
   std::size_t cells = 0;           ///< that were compared
 };
 
+/// How well what the radio alone says tells walls from free space, over the cells that a ray
+/// crosses.
+struct RadioFigures {
+  std::optional<double> auc;           ///< of the wall loss; ties half
+  std::optional<double> auc_off_path;  ///< the same farther than 0.3 m from the path
+};
+
 /// All figures of one map. A figure is absent where the truth or the input gives it no meaning.
 struct MapFigures {
   FreeFigures free;
@@ -49,6 +56,7 @@ struct MapFigures {
   std::optional<double> leak;                 ///< share of the walls that are called free
   std::optional<double> observed_leak;        ///< share of the observed walls called free
   std::optional<ProbabilityFigures> probability;
+  std::optional<RadioFigures> radio;  ///< absent without wall losses or access points
 };
 
 /// A map's figures beside those of a map made without any radio.
@@ -64,9 +72,10 @@ struct Evaluation {
 struct EvaluationInput {
   Grid<CellState> map;
   Grid<CellState> truth;
-  std::vector<Position> path;                ///< antenna positions [m] in the order driven
-  std::vector<Position> access_points;       ///< [m]; may be empty
-  std::optional<Grid<float>> probabilities;  ///< of being occupied; not in [0, 1] counts as 0.5
+  std::vector<Position> path;                 ///< antenna positions [m] in the order driven
+  std::vector<Position> access_points;        ///< [m]; may be empty
+  std::optional<Grid<float>> probabilities;   ///< of being occupied; not in [0, 1] counts as 0.5
+  std::optional<Grid<float>> wall_loss = {};  ///< what radio alone says of walls, in any unit
 };
 
 /// Compares a map with the truth on cells of 0.05 m in the truth's frame.

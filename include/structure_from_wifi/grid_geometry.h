@@ -55,6 +55,12 @@ class GridGeometry {
   /// Row-major position of a contained cell.
   std::size_t index(Cell c) const { return static_cast<std::size_t>(c.y * width_ + c.x); }
 
+  /// The cell at a row-major position.
+  Cell cell(std::size_t index) const {
+    const auto position = static_cast<std::int64_t>(index);
+    return {position % width_, position / width_};
+  }
+
   /// The cell that holds a finite point; it may lie outside the grid.
   Cell cellAt(const Position& point) const;
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "structure_from_wifi/distance_transform.h"
@@ -32,7 +34,10 @@ struct LineField {
 };
 
 /// Calls `visit(across_x, Cell)` for each piece of wall that could stand between two points: the
-/// cells on whose middle lines the segment lies, those of columns (`across_x` true) first.
+/// grid's cells whose middle lines the segment crosses strictly between its ends, those of columns
+/// (`across_x` true) first. The order is that from low to high coordinates, whichever end is first.
+/// @param from,to  finite, in the grid or not
+/// O(lines of the grid crossed).
 template <class Visitor>
 void forEachLine(const GridGeometry& geometry, const Position& from, const Position& to,
                  Visitor&& visit);
@@ -61,21 +66,25 @@ void forEachLine(const GridGeometry& geometry, const Position& from, const Posit
                  Visitor&& visit) {
   const Position a = geometry.toCells(from);
   const Position b = geometry.toCells(to);
-  const auto cross = [](double from_u, double from_v, double to_u, double to_v, auto&& meet) {
-    const double low = std::min(from_u, to_u);
-    const double high = std::max(from_u, to_u);
-    const double slope = (to_v - from_v) / (to_u - from_u);
-    for (double line = std::floor(low - 0.5) + 1.5; line < high; line += 1.0) {
-      if (line > low) {
-        meet(static_cast<std::int64_t>(std::floor(line)),
-             static_cast<std::int64_t>(std::floor(from_v + (line - from_u) * slope)));
+  const Position size(static_cast<double>(geometry.width()),
+                      static_cast<double>(geometry.height()));
+  // From the lower end on, so that swapped ends round alike; the slope of a line's own direction
+  // is infinite and not used.
+  const auto cross = [](Position low, Position high, const Position& grid, auto&& meet) {
+    if (high.x() < low.x()) {
+      std::swap(low, high);
+    }
+    const double slope = (high.y() - low.y()) / (high.x() - low.x());
+    const double end = std::min(high.x(), grid.x());
+    for (double line = std::max(std::floor(low.x() - 0.5) + 1.5, 0.5); line < end; line += 1.0) {
+      const double at = low.y() + (line - low.x()) * slope;
+      if (at >= 0.0 && at < grid.y()) {
+        meet(static_cast<std::int64_t>(line), static_cast<std::int64_t>(at));
       }
     }
   };
-  cross(a.x(), a.y(), b.x(), b.y(), [&](std::int64_t x, std::int64_t y) {
-    visit(true, Cell{x, y});
-  });
-  cross(a.y(), a.x(), b.y(), b.x(), [&](std::int64_t y, std::int64_t x) {
+  cross(a, b, size, [&](std::int64_t x, std::int64_t y) { visit(true, Cell{x, y}); });
+  cross(a.reverse(), b.reverse(), size.reverse(), [&](std::int64_t y, std::int64_t x) {
     visit(false, Cell{x, y});
   });
 }

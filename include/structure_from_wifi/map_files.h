@@ -15,6 +15,12 @@ std::string probabilityPgm(const BeliefMap& belief);
 std::string trinaryYaml(const GridGeometry& geometry, const std::string& image = "map.pgm");
 std::string probabilityYaml(const GridGeometry& geometry);
 
+/// Loss of signals through each cell in steps of kWallLossStep from 0 (black) on, at most 255: what
+/// the radio alone says of walls. map_server's scale mode, negated.
+std::string wallLossPgm(const Grid<float>& wall_loss);
+std::string wallLossYaml(const GridGeometry& geometry);
+constexpr double kWallLossStep = 0.05;  // [dB]
+
 /// A table that readReadings reads back to the same readings.
 std::string readingsCsv(const std::vector<Reading>& readings);
 /// A table that readContacts reads back.
@@ -28,8 +34,8 @@ std::string accessPointsYaml(const std::vector<AccessPoint>& access_points);
 std::string reportJson(const Snapshot& snapshot, const Config& config);
 
 /// Writes map.pgm, map.yaml, probability.pgm, probability.yaml, map.bt, map.ot, map.png and
-/// report.json into a directory that is made if missing. No old file is replaced before all new
-/// ones are written whole.
+/// report.json, and of tomography wall_loss.pgm and wall_loss.yaml, into a directory that is made
+/// if missing. No old file is replaced before all new ones are written whole.
 /// @throw std::system_error or std::invalid_argument naming the file and why.
 void writeMapFiles(const Snapshot& snapshot, const Config& config, const std::string& directory);
 

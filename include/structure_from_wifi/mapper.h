@@ -4,12 +4,16 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "structure_from_wifi/belief_map.h"
+#include "structure_from_wifi/belief_model.h"
+#include "structure_from_wifi/building_frame.h"
 #include "structure_from_wifi/config.h"
 #include "structure_from_wifi/inference.h"
+#include "structure_from_wifi/odometry_anchor.h"
 #include "structure_from_wifi/rssi.h"
 #include "structure_from_wifi/types.h"
 
@@ -42,7 +46,14 @@ struct PathPose {
 struct AccessPointSummary {
   AccessPoint access_point;
   std::size_t readings = 0;
-  WallCountModel model;
+  std::optional<WallCountModel> model;  ///< of method k_visibility
+};
+
+/// What tomography found beside the belief.
+struct TomographySummary {
+  Grid<float> wall_loss;  ///< of signals through each cell, by radio alone [dB]
+  BuildingFrame frame;
+  double follows_walls = 0.0;  ///< how far the model for wall followers was used, 0 to 1
 };
 
 /// What was given to a mapper and left out of the map.
@@ -57,6 +68,7 @@ struct Snapshot {
   std::vector<PathPose> path;                     ///< in the order driven
   std::vector<AccessPointSummary> access_points;  ///< in the order of the table
   Rejections rejections;
+  std::optional<TomographySummary> tomography = {};  ///< of method tomography
 };
 
 /// From readings to the map: collects, then infers everything at once.
@@ -74,6 +86,13 @@ class Mapper {
   /// O(log access points). Anything but kAccepted and kUnknownAccessPoint leaves the map as it was.
   Insertion insert(const Reading& reading);
   Insertion insert(const Contact& contact);
+
+  /// Moves all readings and contacts as a localisation corrected the past. What the map cannot
+  /// hold there is left out and counted. O(readings log fixes).
+  void correct(const PathCorrection& correction);
+
+  /// Grows the map to that of another mapper; one that is too large changes nothing.
+  void growTo(const Mapper& other);
 
   /// Forgets readings, path and contacts; the geometry stays.
   void reset();
@@ -94,7 +113,12 @@ class Mapper {
   std::shared_ptr<const Snapshot> infer(const std::atomic<bool>& stop) const;
   std::shared_ptr<const Snapshot> infer() const;
 
+  /// The map without any signal strength: a control that tells what the radio adds.
+  std::shared_ptr<const Snapshot> inferWithoutRadio() const;
+
  private:
+  enum class Hearing { kSignals, kNothing };
+
   /// What is heard of one access point: poses in order and signal strengths beside them.
   struct Series {
     std::vector<PathPose> poses;
@@ -107,11 +131,18 @@ class Mapper {
   /// Grows the map, if need be, so that it holds a point with its margin.
   Insertion makeRoomFor(const Position& point);
 
+  std::shared_ptr<const Snapshot> infer(Hearing hearing, const std::atomic<bool>& stop) const;
+  void inferByCounts(std::vector<Series>& heard, Hearing hearing, const std::atomic<bool>& stop,
+                     Snapshot& snapshot) const;
+  void inferByTomography(std::vector<Series>& heard, Hearing hearing, const std::atomic<bool>& stop,
+                         Snapshot& snapshot) const;
+
   std::vector<Series> seriesOf(const std::vector<Reading>& readings) const;  // by access point
   std::vector<double> filtered(const Series& series, const Position& access_point) const;
   WallCountModel fitted(const std::vector<double>& rssi_dbm) const;
 
   Config config_;
+  BeliefModel model_;
   std::vector<AccessPoint> access_points_;
   std::map<Bssid, std::size_t> index_of_;
   Box extent_;

@@ -46,7 +46,7 @@ struct PredictionFigures {
 /// @param stop           polled; when it turns true there is no result
 /// @return nothing if no bin was hidden that could be predicted, or the readings reach too far for
 /// a grid of 16 million cells.
-/// Deterministic. Cost: folds times that of estimateWalls, plus O(bins^2) comparisons.
+/// Deterministic. Cost: folds times that of estimateWalls, plus O(bins) small systems of equations.
 std::optional<PredictionFigures> predictHiddenStretches(
     const std::vector<Reading>& readings, const std::vector<AccessPoint>& access_points,
     const PredictionConfig& config, const std::atomic<bool>& stop);

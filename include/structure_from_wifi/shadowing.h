@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <vector>
 
 #include "structure_from_wifi/types.h"
@@ -30,13 +31,14 @@ struct ShadowingModel {
 class ShadowingWhitener {
  public:
   /// @param places     [m], any frame
-  /// @param noise_db2  variance of each place's mean signal
-  /// O(places^2) comparisons.
+  /// @param noise_db2  variance of each place's mean signal; with `unexplained_db2` positive
   ShadowingWhitener(const std::vector<Position>& places, const std::vector<double>& noise_db2,
                     const ShadowingModel& model);
 
   /// L v: of variance 1 and independent if K is the covariance of v. O(places).
-  Eigen::VectorXd whitened(const Eigen::VectorXd& values) const;
+  /// @param values  of a place in each row, any number of columns
+  template <class Values>
+  Values whitened(const Values& values) const;
 
   /// K^-1 v = L' L v. O(places).
   Eigen::VectorXd whitenedTwice(const Eigen::VectorXd& values) const;
@@ -61,7 +63,7 @@ class ShadowingWhitener {
 class SignalPrecision {
  public:
   /// @param places     [m], any frame
-  /// @param noise_db2  variance of each place's mean signal
+  /// @param noise_db2  variance of each place's mean signal; with `unexplained_db2` positive
   /// @param loss_db    h of each place
   SignalPrecision(const std::vector<Position>& places, const std::vector<double>& noise_db2,
                   const std::vector<double>& loss_db, const ShadowingModel& model);
@@ -74,5 +76,17 @@ class SignalPrecision {
   Eigen::MatrixXd solved_basis_;  // K^-1 U, one column for power, one for the exponent
   Eigen::Matrix2d capacitance_;   // (W^-1 + U' K^-1 U)^-1
 };
+
+template <class Values>
+Values ShadowingWhitener::whitened(const Values& values) const {
+  Values white = Values::Zero(values.rows(), values.cols());
+  for (std::size_t row = 0; row + 1 < row_begin_.size(); ++row) {
+    for (int i = row_begin_[row]; i < row_begin_[row + 1]; ++i) {
+      const Entry& entry = entries_[static_cast<std::size_t>(i)];
+      white.row(static_cast<Eigen::Index>(row)) += entry.value * values.row(entry.column);
+    }
+  }
+  return white;
+}
 
 }  // namespace sfw

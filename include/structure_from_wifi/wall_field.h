@@ -17,8 +17,13 @@ struct WallFieldConfig {
 
 /// What the radio alone says of walls, in the building frame.
 struct WallField {
-  LineField loss;        ///< of a wall at each cell, mean over the members [dB]
-  Grid<float> strength;  ///< of the wall at each cell, both directions together [dB]
+  /// Loss of a wall at each cell, mean over the members [dB]. A member's line fills all cells of
+  /// its own larger one, so sums along a ray count it that often: `ray_loss` does not.
+  LineField loss;
+
+  /// Of the wall at each cell, both directions together, less close to the robot's footprint, from
+  /// which it keeps walls away [dB].
+  Grid<float> strength;
 
   /// Loss on the ray to each bin of each access point, mean over the members, unsaturated [dB].
   std::vector<std::vector<double>> ray_loss;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "plan_files.h"
 #include "structure_from_wifi/benchmark.h"
 #include "structure_from_wifi/input_error.h"
 #include "structure_from_wifi/noise_level.h"
@@ -51,27 +52,8 @@ void readValue(const std::string& file, const std::string& key, const YAML::Node
   }
 }
 
-/// Adds the plans below a name: a directory stands for all plans in it, sorted.
-void addPlanFiles(const std::string& name, std::vector<std::string>& files) {
-  if (!fs::is_directory(name)) {
-    files.push_back(name);
-    return;
-  }
-  std::vector<std::string> inside;
-  for (const fs::directory_entry& entry : fs::directory_iterator(name)) {
-    if (entry.path().extension() == ".json" || entry.path().extension() == ".yaml") {
-      inside.push_back(entry.path().string());
-    }
-  }
-  std::sort(inside.begin(), inside.end());
-  files.insert(files.end(), inside.begin(), inside.end());
-}
-
 std::vector<std::string> plansOf(const BenchSuite& suite) {
-  std::vector<std::string> plans;
-  for (const std::string& name : suite.plans) {
-    addPlanFiles(name, plans);
-  }
+  std::vector<std::string> plans = planFiles(suite.plans);
   for (std::int64_t i = 1; i <= suite.generate; ++i) {
     plans.push_back("generated " + std::to_string(i));
   }

@@ -19,14 +19,16 @@ constexpr Column kColumns[] = {{"free_precision", "free P"},
                                {"observed_wall_recall_2", "observed wall recall"},
                                {"wall_in_free", "walls in free space"},
                                {"leak", "leak"},
-                               {"auc", "AUC"}};
+                               {"auc", "AUC"},
+                               {"radio_auc", "radio AUC"},
+                               {"radio_auc_off_path", "radio AUC off path"}};
 
 /// A row of a table: one kind of map on one level, over plans and seeds.
 struct Row {
   std::string path;
   std::string level;
   std::string made_by;
-  std::vector<std::pair<std::string, Sample>> figures;  // in order of first appearance
+  std::vector<std::pair<std::string, Statistics>> figures;  // in order of first appearance
 };
 
 /// The element for which `is_wanted` holds; if there is none, a new one of `made()`.
@@ -41,7 +43,7 @@ void addFigures(const Json& figures, Row& row) {
     const auto& name = key;
     auto& figure = findOrAdd(
         row.figures, [&](const auto& known) { return known.first == name; },
-        [&] { return std::make_pair(name, Sample()); });
+        [&] { return std::make_pair(name, Statistics()); });
     figure.second.add(value.is_number() ? std::optional(value.get<double>()) : std::nullopt);
   }
 }
@@ -81,7 +83,7 @@ std::string line(const Row& row) {
   for (const Column& column : kColumns) {
     const auto found = std::find_if(row.figures.begin(), row.figures.end(),
                                     [&](const auto& figure) { return figure.first == column.key; });
-    text += " " + (found != row.figures.end() ? found->second : Sample()).text() + " |";
+    text += " " + (found != row.figures.end() ? found->second : Statistics()).text() + " |";
   }
   return text + "\n";
 }

@@ -13,5 +13,6 @@ void addDenseCommand(CLI::App& sfw);
 void addPlaceCommand(CLI::App& sfw);
 void addSimulateCommand(CLI::App& sfw);
 void addBenchCommand(CLI::App& sfw);
+void addFitCommand(CLI::App& sfw);
 
 }  // namespace sfw

@@ -95,7 +95,7 @@ nlohmann::ordered_json toJson(const ControlFigures& controls) {
 
 void printControls(std::ostream& out, const MapFigures& map, const ControlFigures& controls) {
   constexpr int kTextWidth = 48;
-  std::map<std::string, Sample> shifted;
+  std::map<std::string, Statistics> shifted;
   for (const MapFigures& one : controls.shifted_radio) {
     forEachFigure(one, [&](const char* key, const char*, std::optional<double> value) {
       shifted[key].add(value);
@@ -192,12 +192,9 @@ std::vector<Position> heardAccessPoints(const EvaluateOptions& options,
   return positions;
 }
 
-std::optional<Grid<float>> readProbabilitiesFor(const EvaluateOptions& options) {
-  if (!options.probability.empty()) {
-    return readProbabilities(options.probability);
-  }
-  const std::filesystem::path beside =
-      std::filesystem::path(options.map).parent_path() / "probability.yaml";
+/// A raster that the mapper writes beside the map, if it is there.
+std::optional<Grid<float>> readBeside(const std::string& map, const char* name) {
+  const std::filesystem::path beside = std::filesystem::path(map).parent_path() / name;
   return std::filesystem::exists(beside) ? std::optional(readProbabilities(beside.string()))
                                          : std::nullopt;
 }
@@ -209,8 +206,10 @@ void runEvaluate(const EvaluateOptions& options) {
         "in");
   }
   const std::vector<Reading> readings = readWithWarnings(options.readings);
-  EvaluationInput input{
-      readMap(options.map), readMap(options.truth), {}, {}, readProbabilitiesFor(options)};
+  EvaluationInput input{readMap(options.map), readMap(options.truth), {}, {}, {}};
+  input.probabilities = options.probability.empty() ? readBeside(options.map, "probability.yaml")
+                                                    : readProbabilities(options.probability);
+  input.wall_loss = readBeside(options.map, "wall_loss.yaml");
   for (const Reading& reading : readings) {
     input.path.push_back(reading.antenna_in_map);
   }

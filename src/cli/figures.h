@@ -59,7 +59,7 @@ inline nlohmann::ordered_json figuresJson(const MapFigures& figures) {
 }
 
 /// Mean and spread of what was measured; absent figures do not count.
-class Sample {
+class Statistics {
  public:
   void add(std::optional<double> value) {
     if (value) {

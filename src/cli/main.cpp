@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
   sfw::addPlaceCommand(app);
   sfw::addSimulateCommand(app);
   sfw::addBenchCommand(app);
+  sfw::addFitCommand(app);
   try {
     app.parse(argc, argv);
     if (app.get_subcommands().empty()) {

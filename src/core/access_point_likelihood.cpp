@@ -10,9 +10,8 @@ namespace {
 
 constexpr double kDecibel = 0.2302585092994045684;  // as a natural logarithm of power
 
-/// Power, exponent, loss for each metre, and the first harmonic of the access point's pattern: an
-/// antenna that favours one side looks as if it stood nearer to it.
-constexpr int kTerms = 5;
+constexpr int kTerms = AccessPointLikelihood::kTerms;
+using Basis = AccessPointLikelihood::Basis;
 using Terms = Eigen::Matrix<double, kTerms, 1>;
 using Information = Eigen::Matrix<double, kTerms, kTerms>;
 
@@ -47,13 +46,12 @@ AccessPointLikelihood::AccessPointLikelihood(HeardAccessPoint heard)
     signals_[static_cast<Eigen::Index>(i)] = heard_.bins[i].rssi_dbm;
   }
   white_signals_ = whitener_.whitened(signals_);
-  white_one_ = whitener_.whitened(Eigen::VectorXd::Ones(signals_.size()));
 }
 
 double AccessPointLikelihood::at(const Position& place) const {
-  const Eigen::MatrixXd basis = whiteBasis(place);
+  const Basis basis = whiteBasis(place);
   const Eigen::VectorXd residual = white_signals_ - basis * priorMean();
-  const Eigen::MatrixXd scaled = basis * priorDeviation().asDiagonal();
+  const Basis scaled = basis * priorDeviation().asDiagonal();
   const Information information = Information::Identity() + scaled.transpose() * scaled;
   const Eigen::LLT<Information> factor(information);
   const Terms pull = scaled.transpose() * residual;
@@ -62,8 +60,8 @@ double AccessPointLikelihood::at(const Position& place) const {
 }
 
 double AccessPointLikelihood::residualAt(const Position& place) const {
-  const Eigen::MatrixXd white = whiteBasis(place);
-  const Eigen::MatrixXd scaled = white * priorDeviation().asDiagonal();
+  const Basis white = whiteBasis(place);
+  const Basis scaled = white * priorDeviation().asDiagonal();
   const Information information = Information::Identity() + scaled.transpose() * scaled;
   const Terms pull = scaled.transpose() * (white_signals_ - white * priorMean());
   const Terms law =
@@ -71,11 +69,11 @@ double AccessPointLikelihood::residualAt(const Position& place) const {
   return (signals_ - basisAt(place) * law).norm() / std::sqrt(static_cast<double>(signals_.size()));
 }
 
-Eigen::MatrixXd AccessPointLikelihood::basisAt(const Position& place) const {
+Basis AccessPointLikelihood::basisAt(const Position& place) const {
   HeardAccessPoint standing;
   standing.position = place;
   standing.height_m = heard_.height_m;
-  Eigen::MatrixXd basis(signals_.size(), kTerms);
+  Basis basis(signals_.size(), kTerms);
   for (Eigen::Index i = 0; i < signals_.size(); ++i) {
     const Position& bin = heard_.bins[static_cast<std::size_t>(i)].place;
     const double loss = logDistance(standing, bin);
@@ -86,13 +84,8 @@ Eigen::MatrixXd AccessPointLikelihood::basisAt(const Position& place) const {
   return basis;
 }
 
-Eigen::MatrixXd AccessPointLikelihood::whiteBasis(const Position& place) const {
-  Eigen::MatrixXd basis = basisAt(place);
-  basis.col(0) = white_one_;
-  for (Eigen::Index column = 1; column < kTerms; ++column) {
-    basis.col(column) = whitener_.whitened(basis.col(column));
-  }
-  return basis;
+Basis AccessPointLikelihood::whiteBasis(const Position& place) const {
+  return whitener_.whitened(basisAt(place));
 }
 
 }  // namespace sfw

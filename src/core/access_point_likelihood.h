@@ -12,6 +12,11 @@ namespace sfw {
 /// loss and pattern (doc/algorithm.md).
 class AccessPointLikelihood {
  public:
+  /// Power, exponent, loss for each metre, and the first harmonic of the access point's pattern: an
+  /// antenna that favours one side looks as if it stood nearer to it.
+  static constexpr int kTerms = 5;
+  using Basis = Eigen::Matrix<double, Eigen::Dynamic, kTerms, Eigen::RowMajor>;
+
   /// @param heard  its position is not looked at
   explicit AccessPointLikelihood(HeardAccessPoint heard);
 
@@ -24,14 +29,13 @@ class AccessPointLikelihood {
   const HeardAccessPoint& heard() const { return heard_; }
 
  private:
-  Eigen::MatrixXd basisAt(const Position& place) const;
-  Eigen::MatrixXd whiteBasis(const Position& place) const;
+  Basis basisAt(const Position& place) const;
+  Basis whiteBasis(const Position& place) const;
 
   HeardAccessPoint heard_;
   ShadowingWhitener whitener_;
   Eigen::VectorXd signals_;
   Eigen::VectorXd white_signals_;
-  Eigen::VectorXd white_one_;
 };
 
 }  // namespace sfw

@@ -33,7 +33,7 @@ class Benchmark {
   void run(const BenchmarkMethod& method, Config config) {
     method.select(config);
     const Mapper mapper = mapperOf(config);
-    setBelief(mapper.infer()->belief, input_);
+    setMap(*mapper.infer(), input_);
     add(method.name + ", " + method.shipped, evaluate(input_).map);
     if (method.maps_wall_counts) {
       setBelief(inferred(mapper, trueCounts(), config), input_);
@@ -111,8 +111,9 @@ class Benchmark {
 }  // namespace
 
 std::vector<BenchmarkMethod> benchmarkMethods() {
-  // Nothing to select while the mapper has one method.
-  return {{"k_visibility", "K-means k", true, [](Config&) {}}};
+  return {
+      {"tomography", "fused belief", false, [](Config& config) { config.method = "tomography"; }},
+      {"k_visibility", "K-means k", true, [](Config& config) { config.method = "k_visibility"; }}};
 }
 
 std::vector<BenchmarkMethod> benchmarkMethods(const std::vector<std::string>& names) {

@@ -1,5 +1,6 @@
 #include "structure_from_wifi/building_frame.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <optional>

@@ -44,6 +44,8 @@ class Rules {
 
 std::vector<std::string> validate(const Config& config) {
   Rules rules;
+  rules.require(config.method == "tomography" || config.method == "k_visibility", "method",
+                "'" + config.method + "'", "'tomography' or 'k_visibility'");
   rules.positive("map/resolution", config.map.resolution);
   rules.positive("map/margin", config.map.margin);
   rules.positive("map/growth_step", config.map.growth_step);
@@ -59,6 +61,13 @@ std::vector<std::string> validate(const Config& config) {
   rules.require(config.rssi.max_walls >= 1 && config.rssi.max_walls <= 20, "rssi/max_walls",
                 config.rssi.max_walls, "in 1..20");
   rules.positive("rssi/min_wall_loss", config.rssi.min_wall_loss);
+  rules.positive("tomography/bin", config.tomography.bin);
+  rules.notNegative("tomography/saturation", config.tomography.saturation);
+  rules.notNegative("tomography/sparsity", config.tomography.sparsity);
+  rules.notNegative("tomography/straightness", config.tomography.straightness);
+  rules.positive("tomography/unexplained", config.tomography.unexplained);
+  rules.require(config.tomography.members >= 1 && config.tomography.members <= 100,
+                "tomography/members", config.tomography.members, "in 1..100");
   rules.notNegative("inference/footprint_radius", config.inference.footprint_radius);
   rules.positive("inference/max_gap", config.inference.max_gap);
   rules.positive("inference/wall_thickness", config.inference.wall_thickness);
@@ -72,6 +81,9 @@ std::vector<std::string> validate(const Config& config) {
   rules.positive("octomap/robot_height", config.octomap.robot_height);
   rules.frame("ros/map_frame", config.ros.map_frame);
   rules.frame("ros/antenna_frame", config.ros.antenna_frame);
+  rules.frame("ros/odom_frame", config.ros.odom_frame);
+  rules.positive("ros/jump_distance", config.ros.jump_distance);
+  rules.positive("ros/jump_angle", config.ros.jump_angle);
   rules.positive("ros/publish_rate", config.ros.publish_rate);
   rules.notNegative("ros/transform_timeout", config.ros.transform_timeout);
   rules.positive("ros/tf_cache", config.ros.tf_cache);

@@ -1,9 +1,7 @@
 #include "structure_from_wifi/controls.h"
 
-#include <atomic>
 #include <map>
 
-#include "structure_from_wifi/inference.h"
 #include "structure_from_wifi/mapper.h"
 
 namespace sfw {
@@ -16,18 +14,6 @@ Mapper mapperOf(const std::vector<Reading>& readings, const std::vector<AccessPo
     mapper.insert(reading);
   }
   return mapper;
-}
-
-/// What the mapper believes if it hears nothing: Rule 1 along the path.
-BeliefMap silentBelief(const Mapper& mapper, const Config& config) {
-  std::vector<Position> path;
-  const auto snapshot = mapper.infer();  // owns the path
-  for (const PathPose& pose : snapshot->path) {
-    path.push_back(pose.antenna_in_map);
-  }
-  const std::atomic<bool> never{false};
-  return {inferOccupancy(mapper.geometry(), {}, path, mapper.contacts(), config.inference, never),
-          config.belief};
 }
 
 }  // namespace
@@ -55,10 +41,10 @@ ControlFigures evaluateControls(const EvaluationInput& input, const std::vector<
   EvaluationInput control = input;
   for (int shift = 1; shift <= kRadioShifts; ++shift) {
     const Mapper mapper = mapperOf(withShiftedRadio(readings, shift), access_points, config);
-    setBelief(mapper.infer()->belief, control);
+    setMap(*mapper.infer(), control);
     controls.shifted_radio.push_back(evaluate(control).map);
   }
-  setBelief(silentBelief(mapperOf(readings, access_points, config), config), control);
+  setBelief(mapperOf(readings, access_points, config).inferWithoutRadio()->belief, control);
   controls.no_radio = evaluate(control).map;
   return controls;
 }
@@ -67,12 +53,20 @@ void setBelief(const BeliefMap& belief, EvaluationInput& input) {
   const GridGeometry& geometry = belief.geometry();
   input.map = Grid<CellState>(geometry);
   input.probabilities = Grid<float>(geometry);
+  input.wall_loss.reset();
   Cell c;
   for (c.y = 0; c.y < geometry.height(); ++c.y) {
     for (c.x = 0; c.x < geometry.width(); ++c.x) {
       input.map[c] = belief.state(c);
       (*input.probabilities)[c] = belief.occupied(c);
     }
+  }
+}
+
+void setMap(const Snapshot& snapshot, EvaluationInput& input) {
+  setBelief(snapshot.belief, input);
+  if (snapshot.tomography) {
+    input.wall_loss = snapshot.tomography->wall_loss;
   }
 }
 

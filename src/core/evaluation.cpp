@@ -161,6 +161,25 @@ ProbabilityFigures probabilityFigures(RatedCells rated) {
   return figures;
 }
 
+RadioFigures radioFigures(const Grid<float>& wall_loss, const EvaluationTruth& truth) {
+  const Grid<float> losses = sampled(wall_loss, truth.lattice(), 0.0F);
+  const Grid<double> from_path = distanceTransform(truth.path);
+  RatedCells all;
+  RatedCells off_path;
+  for (std::size_t i = 0; i < losses.cells.size(); ++i) {
+    const bool wall = truth.walls.cells[i] != 0;
+    if (truth.observed->cells[i] == 0 || (!wall && truth.region.cells[i] == 0)) {
+      continue;
+    }
+    const auto loss = static_cast<double>(losses.cells[i]);
+    (wall ? all.wall : all.free).push_back(loss);
+    if (from_path.cells[i] * kEvaluationResolution > kBeyond) {
+      (wall ? off_path.wall : off_path.free).push_back(loss);
+    }
+  }
+  return {areaUnderCurve(all), areaUnderCurve(off_path)};
+}
+
 MapFigures figuresOfMap(const EvaluationInput& input, const EvaluationTruth& truth) {
   const Grid<CellState> map = sampled(input.map, truth.lattice(), CellState::kUnknown);
   const Mask occupied = cellsOfState(map, CellState::kOccupied);
@@ -171,6 +190,9 @@ MapFigures figuresOfMap(const EvaluationInput& input, const EvaluationTruth& tru
   figures.wall_in_free = share(occupied, both(truth.region, off_walls));
   if (input.probabilities) {
     figures.probability = probabilityFigures(rate(*input.probabilities, map, truth));
+  }
+  if (input.wall_loss && truth.observed) {
+    figures.radio = radioFigures(*input.wall_loss, truth);
   }
   return figures;
 }

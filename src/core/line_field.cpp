@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "line_rays.h"
+
 namespace sfw {
 namespace {
 
@@ -21,129 +23,6 @@ constexpr int kPowerIterations = 15;
 
 using Vector = Eigen::VectorXf;
 
-/// The direction that rays cross a wall in.
-enum class Direction { kAcrossX, kAcrossY };
-
-/// The unknowns: cells that some ray crosses and no robot has covered, in both directions.
-class Unknowns {
- public:
-  Unknowns(const GridGeometry& geometry, const Mask& driven)
-      : geometry_(geometry),
-        driven_(driven),
-        id_{Grid<std::int32_t>(geometry, kNone), Grid<std::int32_t>(geometry, kNone)} {}
-
-  static constexpr std::int32_t kNone = -1;
-
-  /// The unknown of a cell, made if need be; kNone if there cannot be one.
-  std::int32_t at(Direction direction, Cell cell) {
-    if (!geometry_.contains(cell) || driven_[cell] != 0) {
-      return kNone;
-    }
-    std::int32_t& id = ids(direction)[cell];
-    if (id == kNone) {
-      id = static_cast<std::int32_t>(cells_.size());
-      cells_.push_back({direction, cell});
-    }
-    return id;
-  }
-
-  std::int32_t find(Direction direction, Cell cell) const {
-    return geometry_.contains(cell) ? ids(direction)[cell] : kNone;
-  }
-
-  struct Place {
-    Direction direction;
-    Cell cell;
-  };
-  const std::vector<Place>& cells() const { return cells_; }
-
-  /// The next cell along the wall that an unknown is part of.
-  static Cell along(const Place& place, std::int64_t step) {
-    return place.direction == Direction::kAcrossX ? Cell{place.cell.x, place.cell.y + step}
-                                                  : Cell{place.cell.x + step, place.cell.y};
-  }
-  static Cell across(const Place& place, std::int64_t step) {
-    return place.direction == Direction::kAcrossX ? Cell{place.cell.x + step, place.cell.y}
-                                                  : Cell{place.cell.x, place.cell.y + step};
-  }
-
- private:
-  Grid<std::int32_t>& ids(Direction direction) { return id_[static_cast<std::size_t>(direction)]; }
-  const Grid<std::int32_t>& ids(Direction direction) const {
-    return id_[static_cast<std::size_t>(direction)];
-  }
-
-  const GridGeometry& geometry_;
-  const Mask& driven_;
-  Grid<std::int32_t> id_[2];
-  std::vector<Place> cells_;
-};
-
-/// One access point's rays: the unknowns that each crosses, and what is heard at its end.
-struct Rays {
-  Rays(const GridGeometry& geometry, const HeardAccessPoint& heard, const ShadowingModel& model,
-       Unknowns& unknowns)
-      : begin{0}, precision(precisionOf(heard, model)) {
-    unexplained.resize(static_cast<Eigen::Index>(heard.bins.size()));
-    for (std::size_t i = 0; i < heard.bins.size(); ++i) {
-      const RadioBin& bin = heard.bins[i];
-      forEachLine(geometry, heard.position, bin.place, [&](bool across_x, Cell cell) {
-        const std::int32_t id =
-            unknowns.at(across_x ? Direction::kAcrossX : Direction::kAcrossY, cell);
-        if (id != Unknowns::kNone) {
-          crossed.push_back(id);
-        }
-      });
-      begin.push_back(crossed.size());
-      const double loss = logDistance(heard, bin.place);
-      unexplained[static_cast<Eigen::Index>(i)] =
-          bin.rssi_dbm - (kPriorPower - kPriorExponent * loss);
-    }
-  }
-
-  static SignalPrecision precisionOf(const HeardAccessPoint& heard, const ShadowingModel& model) {
-    std::vector<Position> places;
-    std::vector<double> noise;
-    std::vector<double> loss;
-    for (const RadioBin& bin : heard.bins) {
-      places.push_back(bin.place);
-      noise.push_back(heard.noise_db2 / bin.readings);
-      loss.push_back(logDistance(heard, bin.place));
-    }
-    return {places, noise, loss, model};
-  }
-
-  std::size_t size() const { return begin.size() - 1; }
-
-  /// Sum of `x` over the cells that each ray crosses.
-  Eigen::VectorXd along(const Vector& x) const {
-    Eigen::VectorXd sums(static_cast<Eigen::Index>(size()));
-    for (std::size_t ray = 0; ray < size(); ++ray) {
-      float sum = 0.0F;
-      for (std::size_t i = begin[ray]; i < begin[ray + 1]; ++i) {
-        sum += x[crossed[i]];
-      }
-      sums[static_cast<Eigen::Index>(ray)] = static_cast<double>(sum);
-    }
-    return sums;
-  }
-
-  /// Adds each ray's value to the cells that it crosses.
-  void spread(const Eigen::VectorXd& values, Vector& sums) const {
-    for (std::size_t ray = 0; ray < size(); ++ray) {
-      const auto value = static_cast<float>(values[static_cast<Eigen::Index>(ray)]);
-      for (std::size_t i = begin[ray]; i < begin[ray + 1]; ++i) {
-        sums[crossed[i]] += value;
-      }
-    }
-  }
-
-  std::vector<std::size_t> begin;     // of each ray in `crossed`, and the end
-  std::vector<std::int32_t> crossed;  // unknowns
-  SignalPrecision precision;
-  Eigen::VectorXd unexplained;  // signal less the prior's [dB]
-};
-
 class Solver {
  public:
   Solver(const GridGeometry& geometry, const std::vector<HeardAccessPoint>& heard,
@@ -153,9 +32,11 @@ class Solver {
       rays_.emplace_back(geometry, one, config.shadowing, unknowns_);
     }
     const auto count = static_cast<Eigen::Index>(unknowns_.cells().size());
-    next_.reserve(unknowns_.cells().size());
     for (const Unknowns::Place& place : unknowns_.cells()) {
-      next_.push_back(unknowns_.find(place.direction, Unknowns::along(place, 1)));
+      const std::int32_t next = unknowns_.find(place.direction, Unknowns::along(place, 1));
+      if (next != Unknowns::kNone) {
+        neighbours_.push_back({unknowns_.find(place.direction, place.cell), next});
+      }
     }
     loss_ = Vector::Zero(count);
     weight_ = Vector::Ones(count);
@@ -178,14 +59,20 @@ class Solver {
   }
 
  private:
+  /// Unknowns of which the second continues the first one's wall.
+  struct Neighbours {
+    std::int32_t one;
+    std::int32_t next;
+  };
+
   bool saturates() const { return std::isfinite(config_.saturation_db); }
 
   Eigen::VectorXd residualOf(const Rays& rays, const Eigen::VectorXd& sums) const {
     if (!saturates()) {
-      return rays.unexplained + sums;
+      return rays.unexplained() + sums;
     }
     const double s = config_.saturation_db;
-    return rays.unexplained.array() + s * (1.0 - (-sums.array() / s).exp());
+    return rays.unexplained().array() + s * (1.0 - (-sums.array() / s).exp());
   }
 
   /// Derivative of the objective but for the sparsity term.
@@ -193,25 +80,31 @@ class Solver {
     Vector gradient = Vector::Zero(x.size());
     for (const Rays& rays : rays_) {
       const Eigen::VectorXd sums = rays.along(x);
-      Eigen::VectorXd pull = rays.precision.times(residualOf(rays, sums));
+      Eigen::VectorXd pull = rays.precision().times(residualOf(rays, sums));
       if (saturates()) {
         pull.array() *= (-sums.array() / config_.saturation_db).exp();
       }
       rays.spread(pull, gradient);
     }
-    const auto straightness = static_cast<float>(config_.straightness);
-    for (Eigen::Index i = 0; i < x.size(); ++i) {
-      const std::int32_t next = next_[static_cast<std::size_t>(i)];
-      if (next != Unknowns::kNone) {
-        const float change = x[next] - x[i];
-        const float pull =
-            straightness * change /
-            std::sqrt(change * change + static_cast<float>(kSoftChange * kSoftChange));
-        gradient[next] += pull;
-        gradient[i] -= pull;
-      }
-    }
+    addStraightness(x, gradient);
     return gradient;
+  }
+
+  /// Pulls cells together that follow each other along a wall. In three passes, of which the
+  /// expensive one runs on several changes at once.
+  void addStraightness(const Vector& x, Vector& gradient) const {
+    Eigen::ArrayXf pull(static_cast<Eigen::Index>(neighbours_.size()));
+    Eigen::Index at = 0;
+    for (const Neighbours& pair : neighbours_) {
+      pull[at++] = x[pair.next] - x[pair.one];
+    }
+    constexpr auto kSoft = static_cast<float>(kSoftChange * kSoftChange);
+    pull *= static_cast<float>(config_.straightness) / (pull.square() + kSoft).sqrt();
+    at = 0;
+    for (const Neighbours& pair : neighbours_) {
+      gradient[pair.next] += pull[at];
+      gradient[pair.one] -= pull[at++];
+    }
   }
 
   /// No smaller than the largest curvature of the smooth part.
@@ -221,7 +114,7 @@ class Solver {
     for (int i = 0; i < kPowerIterations && !stop_; ++i) {
       Vector image = Vector::Zero(x.size());
       for (const Rays& rays : rays_) {
-        rays.spread(rays.precision.times(rays.along(x)), image);
+        rays.spread(rays.precision().times(rays.along(x)), image);
       }
       largest = image.norm() / std::max(x.norm(), 1e-12F);
       x = image / std::max(image.norm(), 1e-12F);
@@ -266,7 +159,7 @@ class Solver {
   const std::atomic<bool>& stop_;
   Unknowns unknowns_;
   std::vector<Rays> rays_;
-  std::vector<std::int32_t> next_;  // the unknown that continues each one's wall
+  std::vector<Neighbours> neighbours_;
   Vector loss_;
   Vector weight_;
 };
@@ -283,9 +176,7 @@ double lossBetween(const LineField& field, const Position& from, const Position&
   const GridGeometry& geometry = field.across_x.geometry;
   double loss = 0.0;
   forEachLine(geometry, from, to, [&](bool across_x, Cell cell) {
-    if (geometry.contains(cell)) {
-      loss += static_cast<double>((across_x ? field.across_x : field.across_y)[cell]);
-    }
+    loss += static_cast<double>((across_x ? field.across_x : field.across_y)[cell]);
   });
   return loss;
 }

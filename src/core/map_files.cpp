@@ -43,10 +43,10 @@ std::string formatted(const char* format, Arguments... arguments) {
 }
 
 std::string mapYaml(const char* image, const GridGeometry& geometry, const char* mode,
-                    const char* thresholds) {
-  return formatted("image: %s\nresolution: %.9g\norigin: [%.9g, %.9g, 0]\nnegate: 0\nmode: %s\n%s",
-                   image, geometry.resolution(), geometry.origin().x(), geometry.origin().y(), mode,
-                   thresholds);
+                    const char* thresholds, int negate = 0) {
+  return formatted("image: %s\nresolution: %.9g\norigin: [%.9g, %.9g, 0]\nnegate: %d\nmode: %s\n%s",
+                   image, geometry.resolution(), geometry.origin().x(), geometry.origin().y(),
+                   negate, mode, thresholds);
 }
 
 ordered_json describe(const Config& config) {
@@ -54,7 +54,9 @@ ordered_json describe(const Config& config) {
   forEachSetting(config, [&](const std::string& name, const auto& value) {
     const std::size_t slash = name.find('/');
     const std::string group = name.substr(0, slash);
-    if (group != "ros") {  // where a map came from does not change it
+    if (slash == std::string::npos) {
+      settings[name] = value;
+    } else if (group != "ros") {  // where a map came from does not change it
       settings[group][name.substr(slash + 1)] = value;
     }
   });
@@ -67,11 +69,23 @@ ordered_json describe(const AccessPointSummary& summary) {
                     {"name", asUtf8(access_point.name)},
                     {"x", access_point.position.x()},
                     {"y", access_point.position.y()},
-                    {"readings", summary.readings},
-                    {"walls", summary.model.walls()},
-                    {"centroids_dbm", summary.model.centroids()},
-                    {"thresholds_dbm", summary.model.thresholds()}};
+                    {"readings", summary.readings}};
+  if (summary.model) {
+    json["walls"] = summary.model->walls();
+    json["centroids_dbm"] = summary.model->centroids();
+    json["thresholds_dbm"] = summary.model->thresholds();
+  }
   return json;
+}
+
+ordered_json describe(const TomographySummary& tomography) {
+  const char* const source =
+      tomography.frame.source == BuildingFrame::Source::kHeadings ? "headings"
+      : tomography.frame.source == BuildingFrame::Source::kSpread ? "spread of the path"
+                                                                  : "none";
+  return {{"building_yaw_rad", tomography.frame.yaw_rad},
+          {"building_yaw_from", source},
+          {"follows_walls", tomography.follows_walls}};
 }
 
 ordered_json describe(const Rejections& rejections) {
@@ -136,6 +150,19 @@ std::string probabilityYaml(const GridGeometry& geometry) {
   return mapYaml("probability.pgm", geometry, "scale", "occupied_thresh: 1.0\nfree_thresh: 0.0\n");
 }
 
+std::string wallLossPgm(const Grid<float>& wall_loss) {
+  return encodePgm(wall_loss.geometry, [&](Cell c) {
+    const double steps = static_cast<double>(wall_loss[c]) / kWallLossStep;
+    return std::lround(std::clamp(steps, 0.0, 255.0));
+  });
+}
+
+std::string wallLossYaml(const GridGeometry& geometry) {
+  return mapYaml("wall_loss.pgm", geometry, "scale", "occupied_thresh: 1.0\nfree_thresh: 0.0\n",
+                 1) +
+         formatted("decibels_per_step: %.9g\n", kWallLossStep);
+}
+
 std::string readingsCsv(const std::vector<Reading>& readings) {
   std::string text = "stamp,x,y,bssid,rssi_dbm\n";
   for (const Reading& reading : readings) {
@@ -181,12 +208,15 @@ std::string reportJson(const Snapshot& snapshot, const Config& config) {
     length_m += (snapshot.path[i].antenna_in_map - snapshot.path[i - 1].antenna_in_map).norm();
   }
   ordered_json report;
-  report["method"] = "k_visibility";
+  report["method"] = config.method;
   report["map"] = describe(snapshot.belief);
   report["path"] = {{"poses", snapshot.path.size()}, {"length_m", length_m}};
   report["access_points"] = ordered_json::array();
   for (const AccessPointSummary& summary : snapshot.access_points) {
     report["access_points"].push_back(describe(summary));
+  }
+  if (snapshot.tomography) {
+    report["tomography"] = describe(*snapshot.tomography);
   }
   report["left_out"] = describe(snapshot.rejections);
   report["settings"] = describe(config);
@@ -197,7 +227,7 @@ void writeMapFiles(const Snapshot& snapshot, const Config& config, const std::st
   // Everything is made before anything is written, so what cannot be made leaves no trace.
   const BeliefMap& belief = snapshot.belief;
   const auto tree = toOctomap(belief, config.octomap);
-  const std::vector<std::pair<std::string, std::string>> files{
+  std::vector<std::pair<std::string, std::string>> files{
       {directory + "/map.pgm", trinaryPgm(belief)},
       {directory + "/map.yaml", trinaryYaml(belief.geometry())},
       {directory + "/probability.pgm", probabilityPgm(belief)},
@@ -206,6 +236,11 @@ void writeMapFiles(const Snapshot& snapshot, const Config& config, const std::st
       {directory + "/map.ot", encodeFullFile(*tree)},
       {directory + "/map.png", renderPicture(snapshot)},
       {directory + "/report.json", reportJson(snapshot, config)}};
+  if (snapshot.tomography) {
+    const Grid<float>& wall_loss = snapshot.tomography->wall_loss;
+    files.emplace_back(directory + "/wall_loss.pgm", wallLossPgm(wall_loss));
+    files.emplace_back(directory + "/wall_loss.yaml", wallLossYaml(wall_loss.geometry));
+  }
   makeDirectories(directory);
   writeAtomically(files);
 }

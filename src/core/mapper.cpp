@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "structure_from_wifi/input_error.h"
+#include "text.h"
 
 namespace sfw {
 namespace {
@@ -18,34 +19,6 @@ double rounded(double value, double steps) { return std::round(value * steps) / 
 
 Position rounded(const Position& point) {
   return {rounded(point.x(), kPositionSteps), rounded(point.y(), kPositionSteps)};
-}
-
-auto order(const PathPose& pose) {
-  return std::make_tuple(pose.stamp_ns, pose.antenna_in_map.x(), pose.antenna_in_map.y());
-}
-
-/// Every pose once, in the order driven.
-std::vector<PathPose> pathOf(const std::vector<Reading>& readings) {
-  std::vector<PathPose> path;
-  path.reserve(readings.size());
-  for (const Reading& reading : readings) {
-    path.push_back({reading.stamp_ns, reading.antenna_in_map, PathPose::kNothingHeard});
-  }
-  std::sort(path.begin(), path.end(),
-            [](const PathPose& a, const PathPose& b) { return order(a) < order(b); });
-  path.erase(std::unique(path.begin(), path.end(),
-                         [](const PathPose& a, const PathPose& b) { return order(a) == order(b); }),
-             path.end());
-  return path;
-}
-
-/// Notes a wall count at its pose of the path; of several, the smallest stays.
-void noteWalls(const PathPose& counted, std::vector<PathPose>& path) {
-  const auto at =
-      std::lower_bound(path.begin(), path.end(), counted,
-                       [](const PathPose& a, const PathPose& b) { return order(a) < order(b); });
-  at->walls =
-      at->walls == PathPose::kNothingHeard ? counted.walls : std::min(at->walls, counted.walls);
 }
 
 Box extentOf(const std::vector<AccessPoint>& access_points) {
@@ -88,6 +61,11 @@ GridGeometry firstGeometry(const Config& config, const std::vector<AccessPoint>&
   }
 }
 
+BeliefModel beliefModel(const Config::Belief& config) {
+  return config.model.empty() ? shippedBeliefModel()
+                              : parseBeliefModel(readFile(config.model), config.model);
+}
+
 }  // namespace
 
 const char* toString(Insertion insertion) {
@@ -112,6 +90,7 @@ const char* toString(Insertion insertion) {
 
 Mapper::Mapper(const Config& config, const std::vector<AccessPoint>& access_points)
     : config_(config),
+      model_(beliefModel(config.belief)),
       access_points_(access_points),
       extent_(extentOf(access_points)),
       geometry_(firstGeometry(config, access_points)) {
@@ -195,6 +174,32 @@ Insertion Mapper::insert(const Contact& contact) {
   return insertion;
 }
 
+void Mapper::correct(const PathCorrection& correction) {
+  if (correction.empty()) {
+    return;
+  }
+  const auto moveAll = [&](auto& all, auto position) {
+    auto kept = all.begin();
+    for (auto one : all) {
+      one.*position = rounded(correction.moved(one.stamp_ns, one.*position));
+      const Insertion insertion = makeRoomFor(one.*position);
+      if (insertion == Insertion::kAccepted) {
+        *kept++ = one;
+      } else {
+        ++rejections_.count[insertion];
+      }
+    }
+    all.erase(kept, all.end());
+  };
+  moveAll(readings_, &Reading::antenna_in_map);
+  moveAll(contacts_, &Contact::point_in_map);
+}
+
+void Mapper::growTo(const Mapper& other) {
+  makeRoomFor(other.extent_.min());
+  makeRoomFor(other.extent_.max());
+}
+
 void Mapper::reset() {
   readings_.clear();
   contacts_.clear();
@@ -215,78 +220,6 @@ std::vector<Reading> Mapper::readings() const {
                              }),
                  readings.end());
   return readings;
-}
-
-std::vector<Mapper::Series> Mapper::seriesOf(const std::vector<Reading>& readings) const {
-  std::vector<Series> all(access_points_.size());
-  for (const Reading& reading : readings) {
-    const auto found = index_of_.find(reading.bssid);
-    if (found != index_of_.end()) {
-      Series& series = all[found->second];
-      series.poses.push_back({reading.stamp_ns, reading.antenna_in_map, PathPose::kNothingHeard});
-      series.rssi_dbm.push_back(reading.rssi_dbm);
-    }
-  }
-  return all;
-}
-
-std::shared_ptr<const Snapshot> Mapper::infer() const {
-  const std::atomic<bool> never{false};
-  return infer(never);
-}
-
-std::shared_ptr<const Snapshot> Mapper::infer(const std::atomic<bool>& stop) const {
-  const std::vector<Reading> kept = readings();
-  std::vector<PathPose> path = pathOf(kept);
-  std::vector<AccessPointSummary> summaries;
-  std::vector<CountedPath> heard;
-  std::size_t i = 0;
-  for (Series& series : seriesOf(kept)) {
-    const AccessPoint& access_point = access_points_[i++];
-    const std::vector<double> rssi_dbm = filtered(series, access_point.position);
-    const WallCountModel model = fitted(rssi_dbm);
-    CountedPath counted{access_point.position, {}};
-    for (std::size_t j = 0; j < rssi_dbm.size(); ++j) {
-      PathPose& pose = series.poses[j];
-      pose.walls = model.count(rssi_dbm[j]);
-      counted.poses.push_back({pose.antenna_in_map, pose.walls});
-      noteWalls(pose, path);
-    }
-    summaries.push_back({access_point, series.poses.size(), model});
-    heard.push_back(std::move(counted));
-  }
-  std::vector<Position> driven;
-  driven.reserve(path.size());
-  for (const PathPose& pose : path) {
-    driven.push_back(pose.antenna_in_map);
-  }
-  const Grid<float> occupied =
-      inferOccupancy(geometry_, heard, driven, contacts_, config_.inference, stop);
-  if (stop) {
-    return nullptr;
-  }
-  return std::make_shared<const Snapshot>(Snapshot{
-      BeliefMap(occupied, config_.belief), std::move(path), std::move(summaries), rejections_});
-}
-
-std::vector<double> Mapper::filtered(const Series& series, const Position& access_point) const {
-  std::vector<double> rssi_dbm;
-  rssi_dbm.reserve(series.poses.size());
-  for (std::size_t i = 0; i < series.poses.size(); ++i) {
-    const double distance_m = (series.poses[i].antenna_in_map - access_point).norm();
-    rssi_dbm.push_back(
-        withoutPathLoss(series.rssi_dbm[i], distance_m, config_.rssi.path_loss_exponent));
-  }
-  const auto window = static_cast<std::size_t>(config_.rssi.window);
-  return config_.rssi.filter == "mean" ? slidingMean(rssi_dbm, window)
-                                       : slidingMedian(rssi_dbm, window);
-}
-
-WallCountModel Mapper::fitted(const std::vector<double>& rssi_dbm) const {
-  return config_.rssi.walls > 0
-             ? WallCountModel::fit(rssi_dbm, static_cast<std::size_t>(config_.rssi.walls))
-             : WallCountModel::choose(rssi_dbm, static_cast<std::size_t>(config_.rssi.max_walls),
-                                      config_.rssi.min_wall_loss);
 }
 
 }  // namespace sfw

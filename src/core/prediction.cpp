@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "nearest_places.h"
 #include "structure_from_wifi/building_frame.h"
 #include "structure_from_wifi/radio_bins.h"
 
@@ -54,16 +55,14 @@ double meanSquare(double sum, std::size_t count) {
 class Law {
  public:
   Law(const HeardAccessPoint& heard, const Bins& bins, const ShadowingModel& model)
-      : heard_(heard), model_(model) {
-    std::vector<Position> places;
+      : heard_(heard), model_(model), places_(placesOf(heard)), nearest_(places_) {
     std::vector<double> noise;
-    for (const RadioBin& bin : heard.bins) {
-      places.push_back(bin.place);
-      noise.push_back(noiseAt(bin));
+    for (std::size_t i = 0; i < heard.bins.size(); ++i) {
+      noise.push_back(noiseAt(heard.bins[i]));
+      nearest_.enter(static_cast<int>(i));
     }
-    const ShadowingWhitener whitener(places, noise, model);
-    Eigen::MatrixXd white(bins.basis.rows(), 2);
-    white << whitener.whitened(bins.basis.col(0)), whitener.whitened(bins.basis.col(1));
+    const ShadowingWhitener whitener(places_, noise, model);
+    const Eigen::MatrixXd white = whitener.whitened(bins.basis);
     const Eigen::Vector2d prior(kPriorPower, -kPriorExponent);
     const Eigen::Vector2d deviation(model.power_db, model.exponent);
     Eigen::Matrix2d information = white.transpose() * white;
@@ -77,16 +76,9 @@ class Law {
   Eigen::VectorXd mean(const Bins& bins) const { return bins.basis * law_; }
 
   /// What the nearest places have more than the law says [dB].
-  double shadowing(const Position& place) const {
-    std::vector<std::pair<double, Eigen::Index>> nearest;
-    for (std::size_t i = 0; i < heard_.bins.size(); ++i) {
-      nearest.emplace_back((heard_.bins[i].place - place).squaredNorm(),
-                           static_cast<Eigen::Index>(i));
-    }
-    const std::size_t count = std::min(kNeighbours, nearest.size());
-    std::partial_sort(nearest.begin(), nearest.begin() + static_cast<std::ptrdiff_t>(count),
-                      nearest.end());
-    const auto size = static_cast<Eigen::Index>(count);
+  double shadowing(const Position& place) {
+    const auto& nearest = nearest_.nearest(place, kNeighbours);
+    const auto size = static_cast<Eigen::Index>(nearest.size());
     Eigen::MatrixXd among(size, size);
     Eigen::VectorXd with(size);
     Eigen::VectorXd residual(size);
@@ -96,9 +88,8 @@ class Law {
       with[i] = shared(std::sqrt(square));
       residual[i] = residual_[at];
       for (Eigen::Index j = 0; j < size; ++j) {
-        const Eigen::Index other = nearest[static_cast<std::size_t>(j)].second;
-        among(i, j) =
-            shared((heard_.bins[static_cast<std::size_t>(other)].place - bin.place).norm());
+        const int other = nearest[static_cast<std::size_t>(j)].second;
+        among(i, j) = shared((places_[static_cast<std::size_t>(other)] - bin.place).norm());
       }
       among(i, i) += noiseAt(bin) + model_.unexplained_db2;
     }
@@ -106,6 +97,13 @@ class Law {
   }
 
  private:
+  static std::vector<Position> placesOf(const HeardAccessPoint& heard) {
+    std::vector<Position> places;
+    for (const RadioBin& bin : heard.bins) {
+      places.push_back(bin.place);
+    }
+    return places;
+  }
   double noiseAt(const RadioBin& bin) const { return heard_.noise_db2 / bin.readings; }
   double shared(double distance) const {
     return model_.shadowing_db * model_.shadowing_db *
@@ -114,6 +112,8 @@ class Law {
 
   const HeardAccessPoint& heard_;
   const ShadowingModel& model_;
+  std::vector<Position> places_;
+  NearestPlaces nearest_;
   Eigen::Vector2d law_;
   Eigen::VectorXd residual_;
 };
@@ -233,7 +233,7 @@ class Prediction {
   }
 
   void add(const Part& part, const LineField* field, Squares& squares) const {
-    const Law law(part.known, describe(part.known, field), config_.shadowing);
+    Law law(part.known, describe(part.known, field), config_.shadowing);
     const Bins hidden = describe(part.hidden, field);
     const Eigen::VectorXd error = hidden.signals - law.mean(hidden);
     for (Eigen::Index i = 0; i < error.size(); ++i) {

@@ -21,6 +21,7 @@ enum class Purpose : std::uint64_t {
   kChannel,
   kMisses,
   kLeftOutBins,  // of an inference, not of a simulation
+  kTrainingDrive,
   kTrainingCells
 };
 

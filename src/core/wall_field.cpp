@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "random_streams.h"
 #include "structure_from_wifi/morphology.h"
@@ -77,8 +78,7 @@ void addTo(LineField& sum, const LineField& member, float share) {
   }
 }
 
-/// Both directions together; a wall is as strong as what is lost across it within one cell of the
-/// members' lattice on each side.
+/// Both directions together, less where the robot is unlikely to have come so near to a wall.
 Grid<float> strengthOf(const LineField& loss, const Grid<double>& distance, double radius) {
   const GridGeometry& geometry = loss.across_x.geometry;
   Grid<float> strength(geometry);

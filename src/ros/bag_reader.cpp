@@ -65,14 +65,21 @@ BagReading read(const std::string& file, const BagTopics& topics, const Config::
   tf2::BufferCore transforms(ros::Duration(1e9));
   loadTransforms(bag, transforms);
   BagReading reading;
+  OdometryAnchor anchor(jumpTolerance(config));
   for (const rosbag::MessageInstance& message : view) {
     for (const Observation& observation : observationsOf(message, topics, reading.malformed)) {
       ++reading.observations;
-      if (!place(observation, config, transforms, mapper, reading.reason)) {
+      if (const auto placed = place(observation, config, transforms, reading.reason)) {
+        insert(*placed, mapper, anchor);
+      } else {
         ++reading.unplaced;
       }
     }
   }
+  if (const std::optional<Fix> latest = latestFix(config, transforms)) {
+    anchor.insert(*latest);
+  }
+  mapper.correct(anchor.correction());
   return reading;
 }
 

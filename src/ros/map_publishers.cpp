@@ -3,6 +3,7 @@
 #include <nav_msgs/Path.h>
 #include <octomap/OcTree.h>
 #include <octomap_msgs/Octomap.h>
+#include <structure_from_wifi/AccessPoints.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include "message_conversion.h"
@@ -17,6 +18,7 @@ MapPublishers::MapPublishers(ros::NodeHandle& node, const Config& config) : conf
   probability_ = node.advertise<nav_msgs::OccupancyGrid>("map_probability", 1, kLatched);
   markers_ = node.advertise<visualization_msgs::MarkerArray>("markers", 1, kLatched);
   path_ = node.advertise<nav_msgs::Path>("path", 1, kLatched);
+  access_points_ = node.advertise<structure_from_wifi::AccessPoints>("access_points", 1, kLatched);
   const auto connected = [this](const ros::SingleSubscriberPublisher&) { octomap_due_ = true; };
   octomap_binary_ =
       node.advertise<octomap_msgs::Octomap>("octomap_binary", 1, connected, {}, {}, kLatched);
@@ -25,35 +27,45 @@ MapPublishers::MapPublishers(ros::NodeHandle& node, const Config& config) : conf
 }
 
 void MapPublishers::publish(const std::shared_ptr<const Snapshot>& snapshot) {
-  last_snapshot_ = snapshot;
   std_msgs::Header header;
   header.frame_id = config_.ros.map_frame;
   header.stamp = ros::Time::now();
-  last_map_ = toTrinaryGrid(snapshot->belief, header);
-  map_.publish(last_map_);
-  metadata_.publish(last_map_.info);
+  const auto published = std::make_shared<const PublishedMap>(
+      PublishedMap{snapshot, toTrinaryGrid(snapshot->belief, header)});
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    last_ = published;
+  }
+  map_.publish(published->grid);
+  metadata_.publish(published->grid.info);
   probability_.publish(toProbabilityGrid(snapshot->belief, header));
   path_.publish(toPath(*snapshot, header));
   markers_.publish(toMarkers(*snapshot, header));
+  access_points_.publish(toAccessPoints(*snapshot, header));
   octomap_due_ = true;
-  publishToNewcomers();
 }
 
-void MapPublishers::publishToNewcomers() {
+void MapPublishers::publishDueOctomaps() {
   const bool listened_to =
       octomap_binary_.getNumSubscribers() > 0 || octomap_full_.getNumSubscribers() > 0;
-  if (last_snapshot_ && listened_to && octomap_due_.exchange(false)) {
-    publishOctomap();
+  const std::shared_ptr<const PublishedMap> map = last();
+  if (map && listened_to && octomap_due_.exchange(false)) {
+    publishOctomap(*map);
   }
 }
 
-void MapPublishers::publishOctomap() {
-  const auto tree = toOctomap(last_snapshot_->belief, config_.octomap);
+std::shared_ptr<const PublishedMap> MapPublishers::last() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return last_;
+}
+
+void MapPublishers::publishOctomap(const PublishedMap& map) {
+  const auto tree = toOctomap(map.snapshot->belief, config_.octomap);
   if (octomap_binary_.getNumSubscribers() > 0) {
-    octomap_binary_.publish(toBinaryOctomap(*tree, last_map_.header));
+    octomap_binary_.publish(toBinaryOctomap(*tree, map.grid.header));
   }
   if (octomap_full_.getNumSubscribers() > 0) {
-    octomap_full_.publish(toFullOctomap(*tree, last_map_.header));
+    octomap_full_.publish(toFullOctomap(*tree, map.grid.header));
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <memory>
+#include <mutex>
 #include <string>
 
 #include "structure_from_wifi/config.h"
@@ -13,34 +14,40 @@
 
 namespace sfw {
 
+/// A snapshot and the map that was published of it.
+struct PublishedMap {
+  std::shared_ptr<const Snapshot> snapshot;
+  nav_msgs::OccupancyGrid grid;
+};
+
 /// Everything that the mapping nodelet publishes, all latched.
 ///
 /// OctoMaps are only made while somebody listens: they cost more than the rest together.
+/// One thread publishes at a time; last() may be asked by any.
 class MapPublishers {
  public:
   /// Advertises all topics.
   MapPublishers(ros::NodeHandle& node, const Config& config);
 
-  /// Publishes a snapshot on all topics.
+  /// Publishes a snapshot on all topics but the OctoMaps', which are due from now on.
   void publish(const std::shared_ptr<const Snapshot>& snapshot);
 
-  /// Publishes the last snapshot's OctoMap if somebody has come to listen since it was due.
-  void publishToNewcomers();
+  /// Publishes the OctoMaps if they are due and somebody listens. They fall due anew when another
+  /// listener comes.
+  void publishDueOctomaps();
 
-  /// What `map` carried last.
-  const nav_msgs::OccupancyGrid& lastMap() const { return last_map_; }
-
-  /// The last snapshot, or nullptr.
-  const std::shared_ptr<const Snapshot>& lastSnapshot() const { return last_snapshot_; }
+  /// What was published last, or nullptr. Never waits for publish().
+  std::shared_ptr<const PublishedMap> last() const;
 
  private:
-  void publishOctomap();
+  void publishOctomap(const PublishedMap& map);
 
   Config config_;
-  std::shared_ptr<const Snapshot> last_snapshot_;
-  nav_msgs::OccupancyGrid last_map_;
+  mutable std::mutex mutex_;  // around last_
+  std::shared_ptr<const PublishedMap> last_;
   std::atomic<bool> octomap_due_{false};  // set by roscpp's thread when a subscriber comes
-  ros::Publisher map_, metadata_, probability_, octomap_binary_, octomap_full_, markers_, path_;
+  ros::Publisher map_, metadata_, probability_, octomap_binary_, octomap_full_, markers_, path_,
+      access_points_;
 };
 
 }  // namespace sfw

@@ -1,43 +1,24 @@
 #include "mapping_nodelet.h"
 
-#include <octomap/OcTree.h>
-
-#include <cstdlib>
 #include <pluginlib/class_list_macros.hpp>
 #include <sstream>
 
-#include "message_conversion.h"
 #include "parameters.h"
 #include "structure_from_wifi/config_reader.h"
-#include "structure_from_wifi/input_error.h"
-#include "structure_from_wifi/map_files.h"
-#include "structure_from_wifi/octomap_export.h"
 
 namespace sfw {
 namespace {
 
 constexpr double kWarningPeriod = 10.0;  // [s]
 
-/// A directory's name that cannot lead out of its parent: letters, digits, '.', '_' and '-'.
-bool isPlainName(const std::string& name) {
-  constexpr char kAllowed[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-";
-  constexpr std::size_t kLongest = 200;
-  return !name.empty() && name.size() <= kLongest && name.front() != '.' &&
-         name.find_first_not_of(kAllowed) == std::string::npos;
-}
-
-std::string withHome(const std::string& directory) {
-  const char* home = std::getenv("HOME");
-  const bool starts_at_home = directory.compare(0, 2, "~/") == 0;
-  return starts_at_home && home != nullptr ? home + directory.substr(1) : directory;
-}
-
 }  // namespace
 
 MappingNodelet::~MappingNodelet() {
   stop_ = true;
-  if (thread_.joinable()) {
-    thread_.join();
+  for (std::thread* thread : {&placing_thread_, &mapping_thread_}) {
+    if (thread->joinable()) {
+      thread->join();
+    }
   }
 }
 
@@ -45,7 +26,8 @@ void MappingNodelet::onInit() {
   try {
     loadParameters();
     advertise();
-    thread_ = std::thread([this] { run(); });
+    placing_thread_ = std::thread([this] { run(quick_calls_, &MappingNodelet::stepPlacing); });
+    mapping_thread_ = std::thread([this] { run(slow_calls_, &MappingNodelet::stepMapping); });
     subscribe();  // last: callbacks may come before onInit returns
   } catch (const std::exception& error) {
     std::istringstream problems(error.what());
@@ -76,28 +58,11 @@ void MappingNodelet::loadParameters() {
 void MappingNodelet::advertise() {
   ros::NodeHandle node = getNodeHandle();
   // Made first: with a map that cannot be made nothing may be advertised.
-  const std::shared_ptr<const Snapshot> empty = mapper_->infer(stop_);
+  const std::shared_ptr<const Snapshot> empty = mapper_->corrected({}).mapper.infer(stop_);
   publishers_.emplace(node, config_);
   publishers_->publish(empty);
 
-  ros::NodeHandle services = getNodeHandle();
-  ros::NodeHandle private_services = getPrivateNodeHandle();
-  services.setCallbackQueue(&service_calls_);
-  private_services.setCallbackQueue(&service_calls_);
-  using Map = nav_msgs::GetMap;
-  using Octomap = octomap_msgs::GetOctomap;
-  using Save = structure_from_wifi::SaveMap;
-  using Trigger = std_srvs::Trigger;
-  servers_.push_back(services.advertiseService<Map::Request, Map::Response>(
-      "dynamic_map", [this](auto&, auto& response) { return serveMap(response); }));
-  servers_.push_back(services.advertiseService<Octomap::Request, Octomap::Response>(
-      "octomap_binary", [this](auto&, auto& response) { return serveOctomap(true, response); }));
-  servers_.push_back(services.advertiseService<Octomap::Request, Octomap::Response>(
-      "octomap_full", [this](auto&, auto& response) { return serveOctomap(false, response); }));
-  servers_.push_back(private_services.advertiseService<Save::Request, Save::Response>(
-      "save_map", [this](auto& request, auto& response) { return saveMap(request, response); }));
-  servers_.push_back(private_services.advertiseService<Trigger::Request, Trigger::Response>(
-      "reset", [this](auto&, auto& response) { return reset(response); }));
+  advertiseServices();
 }
 
 void MappingNodelet::subscribe() {
@@ -150,27 +115,22 @@ void MappingNodelet::receiveContactPoints(const sensor_msgs::PointCloud2& cloud)
   }
 }
 
-void MappingNodelet::run() {
+void MappingNodelet::run(ros::CallbackQueue& calls, void (MappingNodelet::*step)()) {
   constexpr double kTick = 0.02;  // [s]; a service call wakes it at once
   while (!stop_) {
-    service_calls_.callAvailable(ros::WallDuration(kTick));
+    calls.callAvailable(ros::WallDuration(kTick));
     try {
-      step();
+      (this->*step)();
     } catch (const std::exception& error) {
+      changed_ = true;  // a map that failed is tried again
       NODELET_ERROR_STREAM_THROTTLE(kWarningPeriod, "Mapping goes on after: " << error.what());
     }
   }
 }
 
-void MappingNodelet::step() {
-  const ros::Time now = ros::Time::now();
-  noticeTimeJump(now);
-  placeObservations(now);
-  publishers_->publishToNewcomers();
-  if (changed_ && ros::SteadyTime::now() >= next_publication_) {
-    next_publication_ = ros::SteadyTime::now() + ros::WallDuration(1.0 / config_.ros.publish_rate);
-    publishMap();
-  }
+void MappingNodelet::stepPlacing() {
+  noticeTimeJump(ros::Time::now());
+  placeObservations();
 }
 
 void MappingNodelet::noticeTimeJump(const ros::Time& now) {
@@ -181,9 +141,21 @@ void MappingNodelet::noticeTimeJump(const ros::Time& now) {
   last_now_ = now;
 }
 
-void MappingNodelet::placeObservations(const ros::Time& now) {
-  const ObservationQueue::Outcome outcome = queue_->place(*transforms_, now, *mapper_);
-  changed_ = changed_ || outcome.placed > 0;
+void MappingNodelet::placeObservations() {
+  ObservationQueue::Outcome outcome;
+  {
+    const std::lock_guard<std::mutex> lock(placing_);
+    outcome = queue_->place(
+        *transforms_, ros::Time::now(),
+        [this](const PlacedObservation& observation) { mapper_->insert(observation); });
+  }
+  if (outcome.placed > 0) {
+    changed_ = true;
+  }
+  warnOfLosses(outcome);
+}
+
+void MappingNodelet::warnOfLosses(const ObservationQueue::Outcome& outcome) {
   if (outcome.expired > 0) {
     NODELET_WARN_STREAM_THROTTLE(
         kWarningPeriod, outcome.expired
@@ -196,65 +168,36 @@ void MappingNodelet::placeObservations(const ros::Time& now) {
                                                      << " readings dropped: more than "
                                                         "ros/max_waiting wait for a transform");
   }
-  for (const auto& [insertion, count] : mapper_->rejections().count) {
+  for (const auto& [insertion, count] : mapper_->rejectionCounts()) {
     NODELET_WARN_STREAM_THROTTLE(
         kWarningPeriod, "Readings left out so far, " << toString(insertion) << ": " << count);
   }
 }
 
-bool MappingNodelet::publishMap() {
-  const std::shared_ptr<const Snapshot> snapshot = mapper_->infer(stop_);
-  if (!snapshot) {
-    return false;
+void MappingNodelet::stepMapping() {
+  publishers_->publishDueOctomaps();
+  if (ros::SteadyTime::now() < next_publication_) {
+    return;
   }
-  publishers_->publish(snapshot);
-  changed_ = false;
-  return true;
-}
-
-bool MappingNodelet::serveMap(nav_msgs::GetMap::Response& response) {
-  response.map = publishers_->lastMap();
-  return true;
-}
-
-bool MappingNodelet::serveOctomap(bool binary, octomap_msgs::GetOctomap::Response& response) {
-  const auto tree = toOctomap(publishers_->lastSnapshot()->belief, config_.octomap);
-  const std_msgs::Header& header = publishers_->lastMap().header;
-  response.map = binary ? toBinaryOctomap(*tree, header) : toFullOctomap(*tree, header);
-  return true;
-}
-
-bool MappingNodelet::saveMap(const structure_from_wifi::SaveMap::Request& request,
-                             structure_from_wifi::SaveMap::Response& response) {
-  response.success = 0;
-  if (!isPlainName(request.directory)) {
-    response.message =
-        "directory must be a plain name: letters, digits, '.', '_', '-', not starting with '.'";
-    return true;
+  const std::optional<Fix> latest = latestFix(config_.ros, *transforms_);
+  const bool jumped = latest && mapped_by_ &&
+                      OdometryAnchor::isJump(*mapped_by_, *latest, jumpTolerance(config_.ros));
+  if (changed_ || jumped) {
+    next_publication_ = ros::SteadyTime::now() + ros::WallDuration(1.0 / config_.ros.publish_rate);
+    publishMap();
   }
-  const std::string directory = withHome(config_.ros.save_directory) + "/" + request.directory;
-  try {
-    placeObservations(ros::Time::now());
-    if (!publishMap()) {
-      response.message = "mapping is shutting down";
-      return true;
-    }
-    const Snapshot& snapshot = *publishers_->lastSnapshot();
-    writeRecording(mapper_->readings(), mapper_->contacts(), snapshot, directory);
-    writeMapFiles(snapshot, config_, directory);
-    response.success = 1;
-    response.message = directory;
-  } catch (const std::exception& error) {
-    response.message = error.what();
-  }
-  return true;
 }
 
-bool MappingNodelet::reset(std_srvs::Trigger::Response& response) {
-  mapper_->reset();
-  queue_->clear();
-  response.success = static_cast<unsigned char>(publishMap());
-  return true;
+MappingNodelet::Mapping MappingNodelet::publishMap() {
+  changed_ = false;  // before the copy: what comes after it is for the next map
+  mapped_by_ = latestFix(config_.ros, *transforms_);
+  Mapping mapping{mapper_->corrected(mapped_by_), nullptr};
+  mapping.snapshot = mapping.copy.mapper.infer(stop_);
+  const std::lock_guard<std::mutex> lock(publishing_);
+  if (mapping.snapshot && mapping.copy.resets == mapper_->resets()) {
+    publishers_->publish(mapping.snapshot);
+  }
+  return mapping;
 }
 
 }  // namespace sfw

@@ -16,6 +16,8 @@
 #include <wireless_msgs/Connection.h>
 
 #include <atomic>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
@@ -23,6 +25,7 @@
 
 #include "map_publishers.h"
 #include "observation_queue.h"
+#include "shared_mapper.h"
 #include "structure_from_wifi/config.h"
 #include "structure_from_wifi/mapper.h"
 
@@ -30,9 +33,10 @@ namespace sfw {
 
 /// Maps while the robot drives: scans and tf in, maps out.
 ///
-/// Input callbacks only fill a queue. One thread owns the mapper: it places what waits in the
-/// queue, infers, publishes and answers the services, so none of them needs a lock and no callback
-/// of the nodelet manager waits for any of them. Topics, services and parameters: README.md.
+/// Input callbacks only fill a queue. One thread places what waits in the queue and gives quick
+/// answers; another one infers from a copy, publishes and does all that takes its time. So no
+/// callback of the nodelet manager waits for either, and placing goes on while a map is inferred.
+/// Topics, services and parameters: README.md.
 class MappingNodelet : public nodelet::Nodelet {
  public:
   ~MappingNodelet() override;
@@ -45,6 +49,7 @@ class MappingNodelet : public nodelet::Nodelet {
   /// @throw InputError
   void loadParameters();
   void advertise();
+  void advertiseServices();
   void subscribe();
 
   // Input, in the manager's threads.
@@ -53,23 +58,35 @@ class MappingNodelet : public nodelet::Nodelet {
   void receiveContact(const std_msgs::Bool& contact);
   void receiveContactPoints(const sensor_msgs::PointCloud2& cloud);
 
-  // All below in the mapping thread.
-  void run();
-  void step();
-  void noticeTimeJump(const ros::Time& now);
-  void placeObservations(const ros::Time& now);
-  /// Publishes the map of all that is placed. @return false if stopped meanwhile.
-  bool publishMap();
+  /// Answers the calls in a queue and takes steps in between until the nodelet ends.
+  void run(ros::CallbackQueue& calls, void (MappingNodelet::*step)());
 
+  // In the placing thread.
+  void stepPlacing();
+  void noticeTimeJump(const ros::Time& now);
   bool serveMap(nav_msgs::GetMap::Response& response);
+  bool reset(std_srvs::Trigger::Response& response);
+
+  // In the mapping thread.
+  void stepMapping();
+  /// A map of all that is placed, and what it was made from.
+  struct Mapping {
+    SharedMapper::Copy copy;
+    std::shared_ptr<const Snapshot> snapshot;  ///< nullptr if stopped meanwhile
+  };
+  /// Makes a map and publishes it, unless a reset came in between.
+  Mapping publishMap();
   bool serveOctomap(bool binary, octomap_msgs::GetOctomap::Response& response);
   bool saveMap(const structure_from_wifi::SaveMap::Request& request,
                structure_from_wifi::SaveMap::Response& response);
-  bool reset(std_srvs::Trigger::Response& response);
+
+  // In both.
+  void placeObservations();
+  void warnOfLosses(const ObservationQueue::Outcome& outcome);
 
   Config config_;
   std::vector<AccessPoint> access_points_;
-  std::optional<Mapper> mapper_;
+  std::optional<SharedMapper> mapper_;
   std::optional<ObservationQueue> queue_;
   std::optional<MapPublishers> publishers_;
 
@@ -77,14 +94,17 @@ class MappingNodelet : public nodelet::Nodelet {
   std::optional<tf2_ros::TransformListener> transform_listener_;
   std::vector<ros::Subscriber> subscribers_;
 
-  ros::CallbackQueue service_calls_;  // outlives the servers that use it
+  ros::CallbackQueue quick_calls_, slow_calls_;  // outlive the servers that use them
   std::vector<ros::ServiceServer> servers_;
 
+  std::mutex placing_;     // held while what the queue holds goes to the mapper
+  std::mutex publishing_;  // held while a map is published; a reset is one step to it
   ros::Time last_now_;
   ros::SteadyTime next_publication_;
-  bool changed_ = false;  // since the last publication
+  std::optional<Fix> mapped_by_;      // the last that tf said when a map was made
+  std::atomic<bool> changed_{false};  // since the last map was made
   std::atomic<bool> stop_{false};
-  std::thread thread_;
+  std::thread placing_thread_, mapping_thread_;
 };
 
 }  // namespace sfw

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "structure_from_wifi/map_picture.h"
 #include "structure_from_wifi/octomap_export.h"
@@ -136,6 +137,19 @@ void addLegend(const Snapshot& snapshot, const std_msgs::Header& header,
   }
 }
 
+/// As the table gives it: exactly there.
+structure_from_wifi::AccessPoint toMessage(const AccessPointSummary& summary) {
+  const AccessPoint& access_point = summary.access_point;
+  structure_from_wifi::AccessPoint message;
+  message.bssid = access_point.bssid.str();
+  message.name = access_point.name;
+  message.position = toPoint(access_point.position, access_point.height_m.value_or(0.0));
+  message.estimated = 0;
+  message.readings = static_cast<std::uint32_t>(summary.readings);
+  message.fit_db = std::numeric_limits<float>::quiet_NaN();
+  return message;
+}
+
 octomap_msgs::Octomap toOctomap(const octomap::OcTree& tree, const std_msgs::Header& header,
                                 bool binary, const std::string& bytes) {
   octomap_msgs::Octomap message;
@@ -203,6 +217,16 @@ visualization_msgs::MarkerArray toMarkers(const Snapshot& snapshot,
   addAccessPoints(snapshot, header, markers);
   addLegend(snapshot, header, markers);
   return markers;
+}
+
+structure_from_wifi::AccessPoints toAccessPoints(const Snapshot& snapshot,
+                                                 const std_msgs::Header& header) {
+  structure_from_wifi::AccessPoints message;
+  message.header = header;
+  for (const AccessPointSummary& summary : snapshot.access_points) {
+    message.access_points.push_back(toMessage(summary));
+  }
+  return message;
 }
 
 octomap_msgs::Octomap toBinaryOctomap(const octomap::OcTree& tree, const std_msgs::Header& header) {

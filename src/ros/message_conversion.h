@@ -4,6 +4,7 @@
 #include <nav_msgs/Path.h>
 #include <octomap_msgs/Octomap.h>
 #include <std_msgs/Header.h>
+#include <structure_from_wifi/AccessPoints.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include "structure_from_wifi/config.h"
@@ -31,6 +32,9 @@ nav_msgs::Path toPath(const Snapshot& snapshot, const std_msgs::Header& header);
 
 /// Access points with their names, the path coloured by wall count, and the colours' legend.
 visualization_msgs::MarkerArray toMarkers(const Snapshot& snapshot, const std_msgs::Header& header);
+
+structure_from_wifi::AccessPoints toAccessPoints(const Snapshot& snapshot,
+                                                 const std_msgs::Header& header);
 
 octomap_msgs::Octomap toBinaryOctomap(const octomap::OcTree& tree, const std_msgs::Header& header);
 octomap_msgs::Octomap toFullOctomap(const octomap::OcTree& tree, const std_msgs::Header& header);

@@ -5,19 +5,38 @@
 
 #include <cstddef>
 #include <deque>
+#include <functional>
 #include <mutex>
+#include <optional>
 #include <string>
+#include <variant>
+#include <vector>
 
 #include "observation.h"
 #include "structure_from_wifi/config.h"
 #include "structure_from_wifi/mapper.h"
+#include "structure_from_wifi/odometry_anchor.h"
 
 namespace sfw {
 
-/// Puts an observation into the mapper where tf says that it was made. Never waits.
-/// @return false, with tf's words in `reason`, if there is no transform at its stamp.
-bool place(const Observation& observation, const Config::Ros& config,
-           const tf2::BufferCore& transforms, Mapper& mapper, std::string& reason);
+/// What was sensed, and where.
+struct PlacedObservation {
+  std::variant<Reading, std::vector<Contact>> content;
+  std::optional<Fix> fix;  ///< missing where tf does not know ros/odom_frame
+};
+
+/// Places an observation where tf says that it was made. Never waits.
+/// @return nothing, with tf's words in `reason`, if there is no transform at its stamp.
+std::optional<PlacedObservation> place(const Observation& observation, const Config::Ros& config,
+                                       const tf2::BufferCore& transforms, std::string& reason);
+
+/// The last that tf knows of the antenna's place and the odometry's correction.
+std::optional<Fix> latestFix(const Config::Ros& config, const tf2::BufferCore& transforms);
+
+/// Puts an observation into a mapper; the anchor gets the fix of what the mapper keeps.
+void insert(const PlacedObservation& observation, Mapper& mapper, OdometryAnchor& anchor);
+
+OdometryAnchor::Tolerance jumpTolerance(const Config::Ros& config);
 
 /// Observations waiting for the transform at their stamp, in order of arrival.
 ///
@@ -42,10 +61,13 @@ class ObservationQueue {
     std::string reason;           ///< tf's words for the last one that expired
   };
 
-  /// Puts into the mapper whatever has a transform by now, and drops what is too old or has waited
-  /// too long, as a stamp in the future does. Never waits.
+  /// Takes what has a transform by now.
+  using Sink = std::function<void(const PlacedObservation&)>;
+
+  /// Hands on whatever has a transform by now, and drops what is too old or has waited too long, as
+  /// a stamp in the future does. Never waits.
   /// @param now the clock of the stamps; zero (not known yet) expires nothing
-  Outcome place(const tf2::BufferCore& transforms, const ros::Time& now, Mapper& mapper);
+  Outcome place(const tf2::BufferCore& transforms, const ros::Time& now, const Sink& sink);
 
  private:
   struct Waiting {

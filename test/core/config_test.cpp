@@ -65,7 +65,8 @@ TEST(Validate, AsksForPositiveNumbers) {
   for (const std::string name :
        {"map/resolution", "map/margin", "map/growth_step", "rssi/min_wall_loss",
         "inference/max_gap", "inference/wall_thickness", "octomap/wall_height",
-        "octomap/robot_height", "ros/publish_rate", "ros/tf_cache"}) {
+        "octomap/robot_height", "ros/jump_distance", "ros/jump_angle", "ros/publish_rate",
+        "ros/tf_cache"}) {
     for (const double bad : {0.0, -1.0, kNaN, kInfinity}) {
       EXPECT_EQ(brokenBy(name, bad), Names{name}) << bad;
     }
@@ -114,7 +115,7 @@ TEST(Validate, AsksForAnOddWindow) {
 TEST(Validate, AsksForKnownWordsFramesAndADirectory) {
   EXPECT_EQ(brokenBy("rssi/filter", std::string("kalman")), Names{"rssi/filter"});
   EXPECT_EQ(brokenBy("rssi/filter", std::string("mean")), Names());
-  for (const std::string name : {"ros/map_frame", "ros/antenna_frame"}) {
+  for (const std::string name : {"ros/map_frame", "ros/antenna_frame", "ros/odom_frame"}) {
     EXPECT_EQ(brokenBy(name, std::string()), Names{name});
     EXPECT_EQ(brokenBy(name, std::string("/map")), Names{name});
   }

@@ -35,11 +35,12 @@ TEST(Controls, AShiftMovesEachRadiosSignalsAlongThePath) {
   }
 }
 
-TEST(Controls, WithoutRadioOnlyTheFootprintIsLeft) {
+TEST(Controls, WithoutRadioOnlyTheFootprintIsLeftOfWallCounts) {
   AccessPoint access_point;
   access_point.bssid = bssid("02:00:00:00:00:01");
   access_point.position = at(5.0, 5.0);
   Config config;
+  config.method = "k_visibility";
   config.inference.footprint_radius = 0.0;  // the cells of the path alone
   EvaluationInput input = rooms();
   const ControlFigures controls = evaluateControls(input, twoRadios(true), {access_point}, config);

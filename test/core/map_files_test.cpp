@@ -182,7 +182,9 @@ TEST(Report, SaysWhatTheMapIsMadeOf) {
   const Config config;
   forEachSetting(config, [&](const std::string& name, const auto& value) {
     const std::size_t slash = name.find('/');
-    if (name.substr(0, slash) != "ros") {
+    if (slash == std::string::npos) {
+      EXPECT_EQ(report["settings"][name], value);
+    } else if (name.substr(0, slash) != "ros") {
       EXPECT_EQ(report["settings"][name.substr(0, slash)][name.substr(slash + 1)], value);
       ++settings;
     }

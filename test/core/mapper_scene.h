@@ -26,9 +26,10 @@ inline Reading reading(std::int64_t stamp_s, double x, double y, double rssi_dbm
   return {stamp_s * 1000000000, {x, y}, bssid(number), rssi_dbm};
 }
 
-/// Counts on the raw signal, so that tests can spell wall counts in dB.
+/// Counts walls on the raw signal, so that tests can spell wall counts in dB.
 inline Config rawConfig() {
   Config config;
+  config.method = "k_visibility";
   config.map.resolution = 0.1;
   config.rssi.path_loss_exponent = 0.0;
   config.rssi.window = 1;

@@ -1,0 +1,165 @@
+// How long estimateWalls takes, beside dense products with the precision in the same run: what the
+// same solution would spend on them alone if shadowing were not sparse.
+//
+// Usage: wall_field_benchmark [READINGS.csv ACCESS_POINTS.yaml]
+// Runs on a drive through a made-up office floor of 400 m2, and on a recording if one is given.
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "structure_from_wifi/config_reader.h"
+#include "structure_from_wifi/noise_level.h"
+#include "structure_from_wifi/plan_generator.h"
+#include "structure_from_wifi/radio_model.h"
+#include "structure_from_wifi/reading_io.h"
+#include "structure_from_wifi/route_planner.h"
+#include "structure_from_wifi/scenario.h"
+#include "structure_from_wifi/wall_field.h"
+
+namespace sfw {
+namespace {
+
+constexpr int kRepetitions = 3;  // the best counts: the others were disturbed
+constexpr double kBin = 0.2;     // [m]
+constexpr double kMargin = 1.0;  // [m]
+constexpr double kResolution = 0.05;
+constexpr double kRadius = 0.15;  // [m], of the robot
+
+volatile double consumed = 0.0;  // so that nothing is optimised away
+
+template <class Work>
+double seconds(Work&& work) {
+  double best = 1e300;
+  for (int i = 0; i < kRepetitions; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    consumed = consumed + work();
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    best = std::min(best, taken.count());
+  }
+  return best;
+}
+
+/// Products with dense matrices, as many as all members' solutions need; one is timed for each.
+double denseSeconds(const std::vector<HeardAccessPoint>& heard, const WallFieldConfig& config) {
+  double sum = 0.0;
+  for (const HeardAccessPoint& one : heard) {
+    const double share = config.members > 1 ? 1.0 - config.left_out : 1.0;
+    const auto size = static_cast<Eigen::Index>(share * static_cast<double>(one.bins.size()));
+    const Eigen::MatrixXd precision = Eigen::MatrixXd::Constant(size, size, 0.5);
+    const Eigen::VectorXd residual = Eigen::VectorXd::Ones(size);
+    sum += seconds([&] { return Eigen::VectorXd(precision * residual).sum(); });
+  }
+  return sum * 2.0 * config.line.iterations * config.members;
+}
+
+void measure(const std::string& name, const std::vector<HeardAccessPoint>& heard,
+             const std::vector<Position>& path) {
+  Box box;
+  for (const HeardAccessPoint& one : heard) {
+    box.extend(one.position);
+  }
+  for (const Position& position : path) {
+    box.extend(position);
+  }
+  box.extend(Position(box.min().array() - kMargin));
+  box.extend(Position(box.max().array() + kMargin));
+  const GridGeometry geometry = GridGeometry::covering(box, kResolution, kResolution, 100000000);
+  Mask driven(geometry);
+  for (const Position& position : path) {
+    driven[geometry.cellAt(position)] = 1;
+  }
+  const WallFieldConfig config;
+  const std::atomic<bool> never{false};
+  const double ours = seconds([&] {
+    return estimateWalls(geometry, heard, driven, kRadius, config, never).ray_loss[0][0];
+  });
+  const double dense = denseSeconds(heard, config);
+  std::size_t bins = 0;
+  for (const HeardAccessPoint& one : heard) {
+    bins += one.bins.size();
+  }
+  std::printf("| %s | %zu | %zu | %zu | %.3f | %.1f | %.2f | %.1f |\n", name.c_str(), heard.size(),
+              bins, geometry.size(), ours, 1e6 * ours / static_cast<double>(bins), dense,
+              dense / ours);
+}
+
+/// Bins every 0.2 m of a drive along the walls, again and again until there are enough.
+void measureOffice(std::size_t count, std::int64_t access_points) {
+  PlanGeneratorConfig building;
+  building.kind = BuildingKind::kOffice;
+  building.area = 400.0;
+  const Plan plan = generatePlan(building).plan;
+  const RadioModel radio(plan, asTransmitters(placeAccessPoints(plan, access_points, 1)),
+                         levelRadio(NoiseLevel::kRealistic, 1));
+  const Route route(planRoute(toStates(plan), RouteKind::kWalls), 1.0, 1000.0);
+  std::vector<Position> path;
+  std::vector<HeardAccessPoint> heard(radio.transmitters().size());
+  for (std::size_t i = 0; i < heard.size(); ++i) {
+    heard[i].position = radio.transmitters()[i].access_point.position;
+    heard[i].noise_db2 = 9.0;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const double time = std::fmod(kBin * static_cast<double>(i), route.duration());
+    const RobotPose pose = route.poseAt(time);
+    path.push_back(pose.position);
+    for (std::size_t j = 0; j < heard.size(); ++j) {
+      heard[j].bins.push_back({pose.position, radio.meanRssi(j, pose), 1.0});
+    }
+  }
+  measure("office", heard, path);
+}
+
+void measureRecording(const std::string& readings, const std::string& access_points) {
+  std::vector<HeardAccessPoint> heard;
+  std::vector<Position> path;
+  const ReadingFile file = readReadings(readings);
+  for (const Reading& reading : file.readings) {
+    path.push_back(reading.antenna_in_map);
+  }
+  const BuildingFrame frame = findBuildingFrame(path, 1.0);
+  for (Position& position : path) {
+    position = frame.toBuilding(position);
+  }
+  for (const AccessPoint& one : readAccessPoints(access_points)) {
+    std::vector<Sample> samples;
+    for (const Reading& reading : file.readings) {
+      if (reading.bssid == one.bssid) {
+        samples.push_back({reading.antenna_in_map, reading.rssi_dbm});
+      }
+    }
+    if (!samples.empty()) {
+      heard.push_back(binned(samples, one.position, one.height_m, frame, kBin));
+    }
+  }
+  measure("recording", heard, path);
+}
+
+}  // namespace
+}  // namespace sfw
+
+int main(int count, char** arguments) {
+  try {
+    std::puts(
+        "| drive | access points | bins | cells | walls [s] | walls [us/bin] | dense products [s] |"
+        " dense : walls |\n|---|---|---|---|---|---|---|---|");
+    for (const auto& [bins, access_points] :
+         {std::pair{500, 1}, {1000, 1}, {2000, 1}, {4500, 1}, {4500, 3}, {4500, 5}}) {
+      sfw::measureOffice(static_cast<std::size_t>(bins), access_points);
+    }
+    if (count == 3) {
+      sfw::measureRecording(arguments[1], arguments[2]);
+    }
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "wall_field_benchmark: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,152 @@
+#include "structure_from_wifi/belief_model.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "structure_from_wifi/input_error.h"
+
+namespace sfw {
+namespace {
+
+double logistic(double x) { return 1.0 / (1.0 + std::exp(-x)); }
+
+/// Log density of a normal distribution, without the constant.
+double logDensity(const BeliefModel::Expert& expert, const BeliefModel::Style& style) {
+  const Eigen::LLT<Eigen::Matrix3d> factor(expert.style_covariance);
+  const BeliefModel::Style white = factor.matrixL().solve(style - expert.style_mean);
+  return -0.5 * white.squaredNorm() - factor.matrixLLT().diagonal().array().log().sum();
+}
+
+double score(const BeliefModel::Weights& weights, const std::array<float, kCellFeatures>& cell) {
+  double sum = weights.intercept;
+  for (std::size_t i = 0; i < kCellFeatures; ++i) {
+    sum += weights.features[i] * static_cast<double>(cell[i]);
+  }
+  return sum;
+}
+
+bool isFinite(const BeliefModel::Weights& weights) {
+  return std::isfinite(weights.intercept) &&
+         std::all_of(weights.features.begin(), weights.features.end(),
+                     [](double weight) { return std::isfinite(weight); });
+}
+
+void requireUsable(const BeliefModel::Expert& expert) {
+  const Eigen::LLT<Eigen::Matrix3d> factor(expert.style_covariance);
+  const bool finite = expert.style_mean.allFinite() && expert.style_covariance.allFinite() &&
+                      isFinite(expert.with_radio) && isFinite(expert.without_radio);
+  if (!finite || factor.info() != Eigen::Success) {
+    throw std::invalid_argument(
+        "a belief model's numbers must be finite and its covariances positive definite");
+  }
+}
+
+BeliefModel::Weights parseWeights(const YAML::Node& node) {
+  BeliefModel::Weights weights;
+  weights.intercept = node["intercept"].as<double>();
+  if (node.size() != kCellFeatures + 1) {
+    throw std::invalid_argument("a model must weigh the intercept and each of the " +
+                                std::to_string(kCellFeatures) + " features once");
+  }
+  for (std::size_t i = 0; i < kCellFeatures; ++i) {
+    const char* name = cellFeatureNames()[i];
+    if (!node[name]) {
+      throw std::invalid_argument(std::string("a model lacks the feature ") + name);
+    }
+    weights.features[i] = node[name].as<double>();
+  }
+  return weights;
+}
+
+BeliefModel::Expert parseExpert(const YAML::Node& node) {
+  BeliefModel::Expert expert;
+  for (int i = 0; i < 3; ++i) {
+    expert.style_mean[i] = node["style"]["mean"][i].as<double>();
+    for (int j = 0; j < 3; ++j) {
+      expert.style_covariance(i, j) = node["style"]["covariance"][i][j].as<double>();
+    }
+  }
+  expert.with_radio = parseWeights(node["with_radio"]);
+  expert.without_radio = parseWeights(node["without_radio"]);
+  return expert;
+}
+
+void write(std::ostream& out, const char* name, const BeliefModel::Weights& weights) {
+  out << "  " << name << ":\n    intercept: " << weights.intercept << '\n';
+  for (std::size_t i = 0; i < kCellFeatures; ++i) {
+    out << "    " << cellFeatureNames()[i] << ": " << weights.features[i] << '\n';
+  }
+}
+
+void write(std::ostream& out, const char* name, const BeliefModel::Expert& expert) {
+  const auto row = [&](auto&& values) {
+    out << '[' << values[0] << ", " << values[1] << ", " << values[2] << ']';
+  };
+  out << name << ":\n  style:\n    mean: ";
+  row(expert.style_mean);
+  out << "\n    covariance:\n";
+  for (int i = 0; i < 3; ++i) {
+    out << "      - ";
+    row(expert.style_covariance.row(i));
+    out << '\n';
+  }
+  write(out, "with_radio", expert.with_radio);
+  write(out, "without_radio", expert.without_radio);
+}
+
+}  // namespace
+
+BeliefModel::BeliefModel(const Expert& follows_walls, const Expert& any_path)
+    : follows_walls_(follows_walls), any_path_(any_path) {
+  requireUsable(follows_walls_);
+  requireUsable(any_path_);
+}
+
+BeliefModel::Style BeliefModel::styleVector(const PathStyle& style) {
+  return {style.rim_share, style.axis_share, std::log(style.winding + 0.01)};
+}
+
+double BeliefModel::followsWalls(const PathStyle& style) const {
+  const Style vector = styleVector(style);
+  const double share = logistic(logDensity(follows_walls_, vector) - logDensity(any_path_, vector));
+  // A mixture of the two fits neither: between them one is chosen, with a short passage so that a
+  // growing path changes the map gently.
+  return std::clamp((share - 0.25) / 0.5, 0.0, 1.0);
+}
+
+double BeliefModel::free(const std::array<float, kCellFeatures>& cell, double follows_walls,
+                         bool radio) const {
+  const auto rated = [&](const Expert& expert) {
+    return logistic(score(radio ? expert.with_radio : expert.without_radio, cell));
+  };
+  const double walls = follows_walls > 0.0 ? rated(follows_walls_) : 0.0;
+  const double any = follows_walls < 1.0 ? rated(any_path_) : 0.0;
+  return follows_walls * walls + (1.0 - follows_walls) * any;
+}
+
+BeliefModel parseBeliefModel(const std::string& yaml, const std::string& name) {
+  try {
+    const YAML::Node node = YAML::Load(yaml);
+    return {parseExpert(node["follows_walls"]), parseExpert(node["any_path"])};
+  } catch (const YAML::Exception& error) {
+    throw InputError(name + ": line " + std::to_string(error.mark.line + 1) +
+                     ": not a belief model as sfw fit writes it: " + error.msg);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(name + ": " + error.what());
+  }
+}
+
+std::string toYaml(const BeliefModel& model) {
+  std::ostringstream out;
+  out.precision(5);
+  write(out, "follows_walls", model.followsWalls());
+  write(out, "any_path", model.anyPath());
+  return out.str();
+}
+
+}  // namespace sfw

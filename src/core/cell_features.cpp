@@ -1,0 +1,265 @@
+#include "structure_from_wifi/cell_features.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <queue>
+#include <utility>
+
+#include "axis_rasters.h"
+#include "structure_from_wifi/morphology.h"
+#include "structure_from_wifi/ray.h"
+
+namespace sfw {
+namespace {
+
+using Values = Grid<float>;
+
+/// Depth inside a set, positive, or distance to it, negative [m]; cut where it stops to matter.
+Values signedDepth(const Mask& set) {
+  constexpr double kDeepest = 1.2;  // [m]
+  const Grid<double> to_outside = distanceTransform(complement(set));
+  const Grid<double> to_set = distanceTransform(set);
+  const double resolution = set.geometry.resolution();
+  Values depth(set.geometry);
+  for (std::size_t i = 0; i < depth.cells.size(); ++i) {
+    depth.cells[i] = static_cast<float>(std::min(resolution * to_outside.cells[i], kDeepest) -
+                                        std::min(resolution * to_set.cells[i], kDeepest));
+  }
+  return depth;
+}
+
+/// How many rays pass, from how many access points, and the least loss on any.
+struct RayEvidence {
+  explicit RayEvidence(const GridGeometry& geometry)
+      : rays(geometry), access_points(geometry), least_loss(geometry, kUnseen) {}
+
+  static constexpr float kUnseen = 1e6F;
+
+  Values rays;
+  Values access_points;
+  Values least_loss;
+};
+
+RayEvidence rayEvidence(const GridGeometry& geometry, const std::vector<HeardAccessPoint>& heard,
+                        const std::vector<std::vector<double>>& losses) {
+  RayEvidence evidence(geometry);
+  Grid<std::size_t> last(geometry, heard.size());
+  for (std::size_t i = 0; i < heard.size(); ++i) {
+    for (std::size_t j = 0; j < heard[i].bins.size(); ++j) {
+      const auto loss = static_cast<float>(losses[i][j]);
+      Ray(geometry, heard[i].position, heard[i].bins[j].place).forEachCell([&](Cell c) {
+        if (!geometry.contains(c)) {
+          return;
+        }
+        evidence.rays[c] += 1.0F;
+        evidence.least_loss[c] = std::min(evidence.least_loss[c], loss);
+        if (last[c] != i) {
+          last[c] = i;
+          evidence.access_points[c] += 1.0F;
+        }
+      });
+    }
+  }
+  return evidence;
+}
+
+/// The cheapest way from the path to each judged cell.
+struct Ways {
+  Values cost;               ///< [m]
+  Grid<std::size_t> source;  ///< index of the path's cell that it starts from
+};
+
+/// Dijkstra over eight neighbours; a metre costs 1 + 2 for each dB of wall strength there.
+Ways waysFrom(const Mask& path, const Grid<double>& distance, const Values& strength) {
+  const GridGeometry& geometry = path.geometry;
+  const double resolution = geometry.resolution();
+  constexpr float kFar = 1e6F;
+  Ways ways{Values(geometry, kFar), Grid<std::size_t>(geometry)};
+  using Entry = std::pair<float, std::size_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  for (std::size_t i = 0; i < path.cells.size(); ++i) {
+    if (path.cells[i] != 0) {
+      ways.cost.cells[i] = 0.0F;
+      ways.source.cells[i] = i;
+      open.emplace(0.0F, i);
+    }
+  }
+  const auto visit = [&](float so_far, std::size_t at, Cell next, double length) {
+    if (!geometry.contains(next) || distance[next] * resolution > kFarthestJudged) {
+      return;
+    }
+    const float cost = so_far + static_cast<float>(length) * (1.0F + 2.0F * strength[next]);
+    if (cost < ways.cost[next]) {
+      ways.cost[next] = cost;
+      ways.source[next] = ways.source.cells[at];
+      open.emplace(cost, geometry.index(next));
+    }
+  };
+  while (!open.empty()) {
+    const auto [so_far, at] = open.top();
+    open.pop();
+    if (so_far > ways.cost.cells[at]) {
+      continue;
+    }
+    const Cell c = geometry.cell(at);
+    for (const std::int64_t step : {-1, 1}) {
+      visit(so_far, at, {c.x + step, c.y}, resolution);
+      visit(so_far, at, {c.x, c.y + step}, resolution);
+      visit(so_far, at, {c.x + step, c.y + step}, std::sqrt(2.0) * resolution);
+      visit(so_far, at, {c.x + step, c.y - step}, std::sqrt(2.0) * resolution);
+    }
+  }
+  return ways;
+}
+
+/// 0 for nothing, towards 1 beyond `scale`.
+float saturating(float value, float scale) { return 1.0F - std::exp(-value / scale); }
+
+/// Everything that is computed for the whole grid before single cells are described.
+class Describer {
+ public:
+  Describer(const DrivenPath& path, const std::vector<HeardAccessPoint>& heard,
+            const WallField& walls)
+      : geometry_(path.cells.geometry),
+        heard_(heard),
+        walls_(walls),
+        distance_(distanceTransform(path.cells)),
+        footprint_(geometry_),
+        disc_small_(signedDepth(closed(path.cells, inCells(0.6)))),
+        disc_middle_(signedDepth(withHolesFilled(closed(path.cells, inCells(1.2))))),
+        disc_large_(signedDepth(withHolesFilled(closed(path.cells, inCells(2.4))))),
+        square_small_(signedDepth(closedWithSquare(path.cells, wholeCells(0.6)))),
+        square_middle_(signedDepth(withHolesFilled(closedWithSquare(path.cells, wholeCells(1.2))))),
+        rays_(rayEvidence(geometry_, heard, walls.ray_loss)),
+        beside_(boxMean(walls.strength, wholeCells(0.2))),
+        ways_(waysFrom(path.cells, distance_, walls.strength)),
+        alignment_(axisAlignment(geometry_, path.driven, path.max_gap_m)),
+        style_(styleOf(path.cells, disc_middle_, path.driven, path.max_gap_m)) {
+    Values covered(geometry_);
+    for (std::size_t i = 0; i < distance_.cells.size(); ++i) {
+      footprint_.cells[i] =
+          distance_.cells[i] * geometry_.resolution() <= path.robot_radius_m ? 1 : 0;
+      covered.cells[i] = static_cast<float>(footprint_.cells[i]);
+    }
+    coverage_near_ = boxMean(covered, wholeCells(0.6)).cells;
+    coverage_far_ = boxMean(covered, wholeCells(1.5)).cells;
+    along_ = axisDistances(footprint_, kFarthestAlong);
+  }
+
+  CellFeatures describe() const {
+    CellFeatures features{geometry_, {}, {}, style_};
+    for (std::size_t i = 0; i < distance_.cells.size(); ++i) {
+      if (distance_.cells[i] * geometry_.resolution() <= kFarthestJudged) {
+        features.cells.push_back(i);
+        features.values.push_back(describe(i));
+      }
+    }
+    return features;
+  }
+
+ private:
+  static constexpr float kFarthestAlong = 3.0F;  // [m]
+
+  double inCells(double metres) const { return metres / geometry_.resolution(); }
+  std::int64_t wholeCells(double metres) const { return std::lround(inCells(metres)); }
+
+  double nearestAccessPoint(std::size_t i) const {
+    double nearest = kFarthestAlong;
+    const Position centre = geometry_.centre(geometry_.cell(i));
+    for (const HeardAccessPoint& one : heard_) {
+      nearest = std::min(nearest, (one.position - centre).norm());
+    }
+    return nearest;
+  }
+
+  /// Distances to the footprints along the axes: the nearer side of an axis first, and the axis
+  /// with the nearest of all.
+  std::array<float, 4> sortedAlong(std::size_t i) const {
+    std::array<std::array<float, 2>, 2> axes{
+        {{along_[0].cells[i], along_[1].cells[i]}, {along_[2].cells[i], along_[3].cells[i]}}};
+    for (auto& axis : axes) {
+      std::sort(axis.begin(), axis.end());
+    }
+    std::sort(axes.begin(), axes.end());
+    return {axes[0][0] / kFarthestAlong, axes[0][1] / kFarthestAlong, axes[1][0] / kFarthestAlong,
+            axes[1][1] / kFarthestAlong};
+  }
+
+  std::array<float, kCellFeatures> describe(std::size_t i) const {
+    const auto d = static_cast<float>(distance_.cells[i] * geometry_.resolution());
+    const bool seen = rays_.rays.cells[i] > 0.0F;
+    const auto access_points = static_cast<float>(std::max<std::size_t>(heard_.size(), 1));
+    const std::array<float, 4> along = sortedAlong(i);
+    const std::size_t source = ways_.source.cells[i];
+    return {std::exp(-d / 0.1F),
+            d,
+            std::exp(-d / 0.4F),
+            disc_small_.cells[i],
+            disc_middle_.cells[i],
+            disc_large_.cells[i],
+            square_small_.cells[i],
+            square_middle_.cells[i],
+            std::min(std::log2(1.0F + rays_.rays.cells[i]), 6.0F) / 6.0F,
+            rays_.access_points.cells[i] / access_points,
+            seen ? std::exp(-rays_.least_loss.cells[i] / 4.0F) : 0.0F,
+            std::exp(-static_cast<float>(nearestAccessPoint(i))),
+            saturating(walls_.strength.cells[i], 1.5F),
+            saturating(beside_.cells[i], 1.5F),
+            saturating(std::max(0.0F, ways_.cost.cells[i] - d), 0.5F),
+            along[0],
+            along[1],
+            along[2],
+            along[3],
+            coverage_near_[i],
+            coverage_far_[i],
+            alignment_.cells[source],
+            disc_small_.cells[source],
+            disc_middle_.cells[source],
+            disc_large_.cells[source]};
+  }
+
+  const GridGeometry& geometry_;
+  const std::vector<HeardAccessPoint>& heard_;
+  const WallField& walls_;
+  Grid<double> distance_;  // to the path, in cells
+  Mask footprint_;
+  Values disc_small_, disc_middle_, disc_large_, square_small_, square_middle_;
+  RayEvidence rays_;
+  Values beside_;  // mean wall strength around
+  Ways ways_;
+  Values alignment_;
+  PathStyle style_;
+  std::vector<float> coverage_near_, coverage_far_;
+  std::array<Values, 4> along_{Values(geometry_), Values(geometry_), Values(geometry_),
+                               Values(geometry_)};
+};
+
+}  // namespace
+
+const std::array<const char*, kCellFeatures>& cellFeatureNames() {
+  static constexpr std::array<const char*, kCellFeatures> kNames{
+      "path_close",       "path_distance",    "path_near",
+      "depth_disc_0.6",   "depth_disc_1.2",   "depth_disc_2.4",
+      "depth_square_0.6", "depth_square_1.2", "rays",
+      "access_points",    "line_of_sight",    "access_point_near",
+      "wall_strength",    "wall_beside",      "way_around",
+      "nearest_along",    "opposite_along",   "nearest_across",
+      "opposite_across",  "coverage_0.6",     "coverage_1.5",
+      "source_alignment", "source_depth_0.6", "source_depth_1.2",
+      "source_depth_2.4"};
+  return kNames;
+}
+
+bool usesRadio(std::size_t feature) {
+  static constexpr std::array<std::size_t, 4> kOfRadio{10, 12, 13, 14};
+  return std::find(kOfRadio.begin(), kOfRadio.end(), feature) != kOfRadio.end();
+}
+
+CellFeatures describeCells(const DrivenPath& path, const std::vector<HeardAccessPoint>& heard,
+                           const WallField& walls) {
+  return Describer(path, heard, walls).describe();
+}
+
+}  // namespace sfw

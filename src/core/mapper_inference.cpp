@@ -1,0 +1,165 @@
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "structure_from_wifi/inference.h"
+#include "structure_from_wifi/mapper.h"
+#include "structure_from_wifi/tomography.h"
+
+namespace sfw {
+namespace {
+
+auto order(const PathPose& pose) {
+  return std::make_tuple(pose.stamp_ns, pose.antenna_in_map.x(), pose.antenna_in_map.y());
+}
+
+bool earlier(const PathPose& a, const PathPose& b) { return order(a) < order(b); }
+
+/// Every pose once, in the order driven.
+std::vector<PathPose> pathOf(const std::vector<Reading>& readings) {
+  std::vector<PathPose> path;
+  path.reserve(readings.size());
+  for (const Reading& reading : readings) {
+    path.push_back({reading.stamp_ns, reading.antenna_in_map, PathPose::kNothingHeard});
+  }
+  std::sort(path.begin(), path.end(), earlier);
+  path.erase(std::unique(path.begin(), path.end(),
+                         [](const PathPose& a, const PathPose& b) { return order(a) == order(b); }),
+             path.end());
+  return path;
+}
+
+std::vector<Position> positionsOf(const std::vector<PathPose>& path) {
+  std::vector<Position> positions;
+  positions.reserve(path.size());
+  for (const PathPose& pose : path) {
+    positions.push_back(pose.antenna_in_map);
+  }
+  return positions;
+}
+
+/// Notes a wall count at its pose of the path; of several, the smallest stays.
+void noteWalls(const PathPose& counted, std::vector<PathPose>& path) {
+  const auto at = std::lower_bound(path.begin(), path.end(), counted, earlier);
+  at->walls =
+      at->walls == PathPose::kNothingHeard ? counted.walls : std::min(at->walls, counted.walls);
+}
+
+/// Walls that would lose as much, each what an interior wall usually takes (ns-3's default).
+int wallsOf(double loss_db) {
+  constexpr double kUsualWall = 5.0;  // [dB]
+  return static_cast<int>(std::lround(loss_db / kUsualWall));
+}
+
+}  // namespace
+
+std::vector<Mapper::Series> Mapper::seriesOf(const std::vector<Reading>& readings) const {
+  std::vector<Series> all(access_points_.size());
+  for (const Reading& reading : readings) {
+    const auto found = index_of_.find(reading.bssid);
+    if (found != index_of_.end()) {
+      Series& series = all[found->second];
+      series.poses.push_back({reading.stamp_ns, reading.antenna_in_map, PathPose::kNothingHeard});
+      series.rssi_dbm.push_back(reading.rssi_dbm);
+    }
+  }
+  return all;
+}
+
+std::shared_ptr<const Snapshot> Mapper::infer() const {
+  const std::atomic<bool> never{false};
+  return infer(never);
+}
+
+std::shared_ptr<const Snapshot> Mapper::infer(const std::atomic<bool>& stop) const {
+  return infer(Hearing::kSignals, stop);
+}
+
+std::shared_ptr<const Snapshot> Mapper::inferWithoutRadio() const {
+  const std::atomic<bool> never{false};
+  return infer(Hearing::kNothing, never);
+}
+
+std::shared_ptr<const Snapshot> Mapper::infer(Hearing hearing,
+                                              const std::atomic<bool>& stop) const {
+  const std::vector<Reading> kept = readings();
+  Snapshot snapshot{BeliefMap(geometry_, config_.belief), pathOf(kept), {}, rejections_, {}};
+  std::vector<Series> heard = seriesOf(kept);
+  if (config_.method == "tomography") {
+    inferByTomography(heard, hearing, stop, snapshot);
+  } else {
+    inferByCounts(heard, hearing, stop, snapshot);
+  }
+  return stop ? nullptr : std::make_shared<const Snapshot>(std::move(snapshot));
+}
+
+void Mapper::inferByCounts(std::vector<Series>& heard, Hearing hearing,
+                           const std::atomic<bool>& stop, Snapshot& snapshot) const {
+  std::vector<CountedPath> counted_paths;
+  for (std::size_t i = 0; i < heard.size(); ++i) {
+    const AccessPoint& access_point = access_points_[i];
+    const std::vector<double> rssi_dbm = filtered(heard[i], access_point.position);
+    const WallCountModel model = fitted(rssi_dbm);
+    CountedPath counted{access_point.position, {}};
+    for (std::size_t j = 0; j < rssi_dbm.size(); ++j) {
+      PathPose& pose = heard[i].poses[j];
+      pose.walls = model.count(rssi_dbm[j]);
+      counted.poses.push_back({pose.antenna_in_map, pose.walls});
+      noteWalls(pose, snapshot.path);
+    }
+    snapshot.access_points.push_back({access_point, rssi_dbm.size(), model});
+    counted_paths.push_back(std::move(counted));
+  }
+  if (hearing == Hearing::kNothing) {
+    counted_paths.clear();
+  }
+  snapshot.belief = BeliefMap(inferOccupancy(geometry_, counted_paths, positionsOf(snapshot.path),
+                                             contacts_, config_.inference, stop),
+                              config_.belief);
+}
+
+void Mapper::inferByTomography(std::vector<Series>& heard, Hearing hearing,
+                               const std::atomic<bool>& stop, Snapshot& snapshot) const {
+  MappedDrive drive{positionsOf(snapshot.path), {}, contacts_};
+  for (std::size_t i = 0; i < heard.size(); ++i) {
+    HeardSamples samples{access_points_[i].position, access_points_[i].height_m, {}};
+    for (std::size_t j = 0; j < heard[i].poses.size(); ++j) {
+      samples.samples.push_back({heard[i].poses[j].antenna_in_map, heard[i].rssi_dbm[j]});
+    }
+    drive.heard.push_back(std::move(samples));
+  }
+  FusedBelief fused = fuse(geometry_, drive, model_, config_, hearing == Hearing::kSignals, stop);
+  for (std::size_t i = 0; i < heard.size(); ++i) {
+    for (std::size_t j = 0; j < fused.sample_loss[i].size(); ++j) {
+      PathPose& pose = heard[i].poses[j];
+      pose.walls = wallsOf(fused.sample_loss[i][j]);
+      noteWalls(pose, snapshot.path);
+    }
+    snapshot.access_points.push_back({access_points_[i], heard[i].poses.size(), {}});
+  }
+  snapshot.belief = BeliefMap(fused.occupied, config_.belief);
+  snapshot.tomography =
+      TomographySummary{std::move(fused.wall_loss), fused.frame, fused.follows_walls};
+}
+
+std::vector<double> Mapper::filtered(const Series& series, const Position& access_point) const {
+  std::vector<double> rssi_dbm;
+  rssi_dbm.reserve(series.poses.size());
+  for (std::size_t i = 0; i < series.poses.size(); ++i) {
+    const double distance_m = (series.poses[i].antenna_in_map - access_point).norm();
+    rssi_dbm.push_back(
+        withoutPathLoss(series.rssi_dbm[i], distance_m, config_.rssi.path_loss_exponent));
+  }
+  const auto window = static_cast<std::size_t>(config_.rssi.window);
+  return config_.rssi.filter == "mean" ? slidingMean(rssi_dbm, window)
+                                       : slidingMedian(rssi_dbm, window);
+}
+
+WallCountModel Mapper::fitted(const std::vector<double>& rssi_dbm) const {
+  return config_.rssi.walls > 0
+             ? WallCountModel::fit(rssi_dbm, static_cast<std::size_t>(config_.rssi.walls))
+             : WallCountModel::choose(rssi_dbm, static_cast<std::size_t>(config_.rssi.max_walls),
+                                      config_.rssi.min_wall_loss);
+}
+
+}  // namespace sfw
