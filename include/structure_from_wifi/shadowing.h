@@ -1,11 +1,17 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <vector>
 
 #include "structure_from_wifi/types.h"
 
 namespace sfw {
+
+/// Mean of power and log-distance path loss before anything is heard; the priors around it are
+/// wide.
+constexpr double kPriorPower = -37.0;  ///< [dBm] at 1 m
+constexpr double kPriorExponent = 2.1;
 
 /// What differs signals of one access point at several places although no wall does.
 struct ShadowingModel {
@@ -16,15 +22,44 @@ struct ShadowingModel {
   double exponent = 0.35;           ///< prior standard deviation of the path loss exponent
 };
 
+/// Makes signals of one access point at many places independent but for power and path loss.
+///
+/// The covariance is
+///   K_ij = shadowing^2 exp(-|p_i - p_j| / distance) + [i = j] (noise_i + unexplained).
+/// Its inverse is L' L by Vecchia's approximation (1988): each place given its nearest ones before
+/// it, so memory and each product are linear in places.
+class ShadowingWhitener {
+ public:
+  /// @param places     [m], any frame
+  /// @param noise_db2  variance of each place's mean signal; with `unexplained_db2` positive
+  ShadowingWhitener(const std::vector<Position>& places, const std::vector<double>& noise_db2,
+                    const ShadowingModel& model);
+
+  /// L v: of variance 1 and independent if K is the covariance of v. O(places).
+  /// @param values  of a place in each row, any number of columns
+  template <class Values>
+  Values whitened(const Values& values) const;
+
+  /// K^-1 v = L' L v. O(places).
+  Eigen::VectorXd whitenedTwice(const Eigen::VectorXd& values) const;
+
+ private:
+  /// One row of the factor L: itself first, then places before it.
+  struct Entry {
+    int column;
+    double value;
+  };
+
+  std::vector<int> row_begin_;
+  std::vector<Entry> entries_;
+};
+
 /// Inverse covariance of the signals of one access point at many places.
 ///
 /// The covariance is
-///   C_ij = shadowing^2 exp(-|p_i - p_j| / distance) + [i = j] (noise_i + unexplained)
-///          + power^2 + exponent^2 h_i h_j
-/// so power and path loss exponent are marginalised, not estimated (h = 10 log10 of distance).
-/// The exponential part is inverted by Vecchia's approximation (1988): each place given its
-/// nearest ones before it, so memory and each product are linear in places; the last two terms,
-/// of rank two, are exact (Woodbury).
+///   C_ij = K_ij + power^2 + exponent^2 h_i h_j
+/// so power and path loss exponent are marginalised, not estimated (h = 10 log10 of distance). K is
+/// that of ShadowingWhitener; the other terms, of rank two, are exact (Woodbury).
 class SignalPrecision {
  public:
   /// @param places     [m], any frame
@@ -37,18 +72,21 @@ class SignalPrecision {
   Eigen::VectorXd times(const Eigen::VectorXd& residual) const;
 
  private:
-  /// One row of the factor L with C^-1 = L' L: itself first, then places before it.
-  struct Entry {
-    int column;
-    double value;
-  };
-
-  Eigen::VectorXd whitenedTwice(const Eigen::VectorXd& residual) const;
-
-  std::vector<int> row_begin_;
-  std::vector<Entry> entries_;
+  ShadowingWhitener whitener_;
   Eigen::MatrixXd solved_basis_;  // K^-1 U, one column for power, one for the exponent
   Eigen::Matrix2d capacitance_;   // (W^-1 + U' K^-1 U)^-1
 };
+
+template <class Values>
+Values ShadowingWhitener::whitened(const Values& values) const {
+  Values white = Values::Zero(values.rows(), values.cols());
+  for (std::size_t row = 0; row + 1 < row_begin_.size(); ++row) {
+    for (int i = row_begin_[row]; i < row_begin_[row + 1]; ++i) {
+      const Entry& entry = entries_[static_cast<std::size_t>(i)];
+      white.row(static_cast<Eigen::Index>(row)) += entry.value * values.row(entry.column);
+    }
+  }
+  return white;
+}
 
 }  // namespace sfw

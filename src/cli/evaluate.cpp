@@ -1,3 +1,4 @@
+#include <atomic>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
@@ -15,6 +16,7 @@
 #include "structure_from_wifi/evaluation.h"
 #include "structure_from_wifi/input_error.h"
 #include "structure_from_wifi/map_server.h"
+#include "structure_from_wifi/prediction.h"
 #include "warnings.h"
 
 namespace sfw {
@@ -27,6 +29,7 @@ struct EvaluateOptions {
   std::string access_points;
   std::string probability;
   bool controls = false;
+  bool prediction = false;
   std::string config;
   bool json = false;
   std::string picture;
@@ -128,6 +131,47 @@ std::optional<ControlFigures> controlsFor(const EvaluateOptions& options,
   return evaluateControls(input, readings, readAccessPoints(options.access_points), config);
 }
 
+nlohmann::ordered_json toJson(const PredictionFigures& figures) {
+  return {{"bins", figures.bins},
+          {"distance_db", figures.distance},
+          {"walls_db", figures.walls},
+          {"distance_shadowed_db", figures.distance_shadowed},
+          {"walls_shadowed_db", figures.walls_shadowed}};
+}
+
+void printPrediction(std::ostream& out, const PredictionFigures& figures) {
+  constexpr int kTextWidth = 48;
+  const auto print = [&](const char* text, double mean, double shadowed) {
+    out << std::left << std::setw(kTextWidth) << text << std::right;
+    printValue(out, mean);
+    printValue(out, shadowed);
+    out << '\n';
+  };
+  out << "\n"
+      << std::left << std::setw(kTextWidth) << "prediction of hidden stretches, rms error [dB]"
+      << std::right << std::setw(12) << "alone" << std::setw(12) << "+ nearest" << '\n';
+  print("distance", figures.distance, figures.distance_shadowed);
+  print("distance and walls", figures.walls, figures.walls_shadowed);
+}
+
+/// How well hidden readings can be predicted, if asked for.
+std::optional<PredictionFigures> predictionFor(const EvaluateOptions& options,
+                                               const std::vector<Reading>& readings) {
+  if (!options.prediction) {
+    return std::nullopt;
+  }
+  if (options.access_points.empty()) {
+    throw InputError("--prediction needs --access-points: signals are predicted from them");
+  }
+  const std::atomic<bool> stop{false};
+  const auto figures =
+      predictHiddenStretches(readings, readAccessPoints(options.access_points), {}, stop);
+  if (!figures) {
+    throw InputError(options.readings + ": too short a drive for --prediction, or too far");
+  }
+  return figures;
+}
+
 /// Where the access points stand that the readings speak of: rays lead to no others.
 std::vector<Position> heardAccessPoints(const EvaluateOptions& options,
                                         const std::vector<Reading>& readings) {
@@ -177,16 +221,23 @@ void runEvaluate(const EvaluateOptions& options) {
     writeAtomically(options.picture, renderComparison(input));
   }
   const std::optional<ControlFigures> controls = controlsFor(options, input, readings);
+  const std::optional<PredictionFigures> prediction = predictionFor(options, readings);
   if (!options.json) {
     printTable(std::cout, evaluation);
     if (controls) {
       printControls(std::cout, evaluation.map, *controls);
+    }
+    if (prediction) {
+      printPrediction(std::cout, *prediction);
     }
     return;
   }
   nlohmann::ordered_json json = toJson(evaluation);
   if (controls) {
     json["controls"] = toJson(*controls);
+  }
+  if (prediction) {
+    json["prediction"] = toJson(*prediction);
   }
   std::cout << json.dump(2) << '\n';
 }
@@ -209,6 +260,9 @@ void addEvaluateCommand(CLI::App& sfw) {
   command->add_flag("--controls", options->controls,
                     "Map again without radio, and with the signals moved along the path by 1/9 .. "
                     "8/9 of the run; what the map owes to the radio is the distance to these");
+  command->add_flag("--prediction", options->prediction,
+                    "Hide stretches of 3 m of the readings and predict them from the others, by "
+                    "distance alone and with walls; what walls gain is what the radio knows");
   command->add_option("--config", options->config,
                       "Settings for --controls, as the map was made with");
   command->add_option(

@@ -3,11 +3,6 @@
 namespace sfw {
 namespace {
 
-/// Mean of log-distance path loss and power before anything is heard; the priors around it are
-/// wide.
-constexpr double kPriorPower = -37.0;  // [dBm] at 1 m
-constexpr double kPriorExponent = 2.1;
-
 SignalPrecision precisionOf(const HeardAccessPoint& heard, const ShadowingModel& model) {
   std::vector<Position> places;
   std::vector<double> noise;

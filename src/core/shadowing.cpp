@@ -90,9 +90,9 @@ Conditional given(const std::vector<std::pair<double, int>>& others, int place,
 
 }  // namespace
 
-SignalPrecision::SignalPrecision(const std::vector<Position>& places,
-                                 const std::vector<double>& noise_db2,
-                                 const std::vector<double>& loss_db, const ShadowingModel& model) {
+ShadowingWhitener::ShadowingWhitener(const std::vector<Position>& places,
+                                     const std::vector<double>& noise_db2,
+                                     const ShadowingModel& model) {
   const LocalCovariance covariance{places, noise_db2, model};
   NearestPlaces before(places);
   row_begin_.push_back(0);
@@ -109,6 +109,24 @@ SignalPrecision::SignalPrecision(const std::vector<Position>& places,
     row_begin_.push_back(static_cast<int>(entries_.size()));
     before.enter(place);
   }
+}
+
+Eigen::VectorXd ShadowingWhitener::whitenedTwice(const Eigen::VectorXd& values) const {
+  const Eigen::VectorXd white = whitened(values);
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(values.size());
+  for (std::size_t row = 0; row + 1 < row_begin_.size(); ++row) {
+    for (int i = row_begin_[row]; i < row_begin_[row + 1]; ++i) {
+      const Entry& entry = entries_[static_cast<std::size_t>(i)];
+      result[entry.column] += entry.value * white[static_cast<Eigen::Index>(row)];
+    }
+  }
+  return result;
+}
+
+SignalPrecision::SignalPrecision(const std::vector<Position>& places,
+                                 const std::vector<double>& noise_db2,
+                                 const std::vector<double>& loss_db, const ShadowingModel& model)
+    : whitener_(places, noise_db2, model) {
   const auto count = static_cast<Eigen::Index>(places.size());
   Eigen::MatrixXd basis(count, 2);
   solved_basis_.resize(count, 2);
@@ -116,29 +134,13 @@ SignalPrecision::SignalPrecision(const std::vector<Position>& places,
     basis.row(i) << model.power_db, model.exponent * loss_db[static_cast<std::size_t>(i)];
   }
   for (Eigen::Index column = 0; column < 2; ++column) {
-    solved_basis_.col(column) = whitenedTwice(basis.col(column));
+    solved_basis_.col(column) = whitener_.whitenedTwice(basis.col(column));
   }
   capacitance_ = (Eigen::Matrix2d::Identity() + basis.transpose() * solved_basis_).inverse();
 }
 
-Eigen::VectorXd SignalPrecision::whitenedTwice(const Eigen::VectorXd& residual) const {
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(residual.size());
-  for (std::size_t row = 0; row + 1 < row_begin_.size(); ++row) {
-    double white = 0.0;
-    for (int i = row_begin_[row]; i < row_begin_[row + 1]; ++i) {
-      const Entry& entry = entries_[static_cast<std::size_t>(i)];
-      white += entry.value * residual[entry.column];
-    }
-    for (int i = row_begin_[row]; i < row_begin_[row + 1]; ++i) {
-      const Entry& entry = entries_[static_cast<std::size_t>(i)];
-      result[entry.column] += entry.value * white;
-    }
-  }
-  return result;
-}
-
 Eigen::VectorXd SignalPrecision::times(const Eigen::VectorXd& residual) const {
-  return whitenedTwice(residual) -
+  return whitener_.whitenedTwice(residual) -
          solved_basis_ * (capacitance_ * (solved_basis_.transpose() * residual));
 }
 
