@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "structure_from_wifi/access_point_estimation.h"
 #include "structure_from_wifi/belief_map.h"
 #include "structure_from_wifi/belief_model.h"
 #include "structure_from_wifi/building_frame.h"
@@ -47,7 +48,19 @@ struct AccessPointSummary {
   AccessPoint access_point;
   std::size_t readings = 0;
   std::optional<WallCountModel> model;  ///< of method k_visibility
+
+  /// Where it seems to stand, if the table does not say; access_point has the same position then.
+  /// With neither, it could not be placed, and its readings count as path alone.
+  std::optional<AccessPointEstimate> estimate = {};
+
+  /// How well its readings fit the table's position, after Mapper::judge.
+  std::optional<AccessPointFit> fit = {};
 };
+
+/// Whether an access point has a position, given or estimated.
+inline bool isPlaced(const AccessPointSummary& summary) {
+  return summary.access_point.position_known || summary.estimate;
+}
 
 /// What tomography found beside the belief.
 struct TomographySummary {
@@ -116,6 +129,10 @@ class Mapper {
   /// The map without any signal strength: a control that tells what the radio adds.
   std::shared_ptr<const Snapshot> inferWithoutRadio() const;
 
+  /// Compares each access point's given position with its readings (accessPointFit): moved ones and
+  /// mistyped positions become suspect. Costs some 50 ms for each.
+  void judge(Snapshot& snapshot) const;
+
  private:
   enum class Hearing { kSignals, kNothing };
 
@@ -132,6 +149,10 @@ class Mapper {
   Insertion makeRoomFor(const Position& point);
 
   std::shared_ptr<const Snapshot> infer(Hearing hearing, const std::atomic<bool>& stop) const;
+  /// The table with positions estimated where it has none; what cannot be placed is not heard.
+  std::vector<AccessPointSummary> placed(std::vector<Series>& heard) const;
+  static std::vector<Sample> samplesOf(const Series& series);
+
   void inferByCounts(std::vector<Series>& heard, Hearing hearing, const std::atomic<bool>& stop,
                      Snapshot& snapshot) const;
   void inferByTomography(std::vector<Series>& heard, Hearing hearing, const std::atomic<bool>& stop,

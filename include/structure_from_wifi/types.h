@@ -44,13 +44,14 @@ struct Contact {
   Position point_in_map = Position::Zero();  ///< [m]
 };
 
-/// A transmitter at a known place.
+/// A transmitter.
 struct AccessPoint {
   Bssid bssid;
   std::string name;                      ///< for people; may be empty
   Position position = Position::Zero();  ///< [m], map frame
   std::optional<double> height_m;        ///< above the floor
   std::optional<double> tx_dbm;          ///< transmitted power
+  bool position_known = true;            ///< false: the position is to be estimated
 };
 
 /// Axis-aligned rectangle in the map frame [m].

@@ -181,7 +181,7 @@ std::vector<Position> heardAccessPoints(const EvaluateOptions& options,
   }
   std::vector<Position> positions;
   for (const AccessPoint& access_point : readAccessPoints(options.access_points)) {
-    if (heard.count(access_point.bssid) != 0) {
+    if (heard.count(access_point.bssid) != 0 && access_point.position_known) {
       positions.push_back(access_point.position);
     }
   }

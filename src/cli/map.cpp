@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <chrono>
+#include <iomanip>
 #include <iostream>
 #include <memory>
+#include <sstream>
 
 #include "bag_reader.h"
 #include "commands.h"
@@ -78,6 +80,21 @@ void reportRejections(const std::string& source, const Rejections& rejections) {
   }
 }
 
+/// Tells of an access point that is not placed, or probably placed wrong.
+void reportAccessPoint(const std::string& table, const AccessPointSummary& summary) {
+  const std::string name = table + ": " + summary.access_point.bssid.str();
+  if (!isPlaced(summary)) {
+    warn(name + " is left out: it has no position, and its " + std::to_string(summary.readings) +
+         " readings do not tell one");
+  } else if (summary.fit && summary.fit->suspect) {
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(1) << name << ": its readings fit a place "
+         << summary.fit->distance << " m away, at (" << summary.fit->estimate.position.x() << ", "
+         << summary.fit->estimate.position.y() << "), much better than the one given";
+    warn(text.str());
+  }
+}
+
 void run(const MapOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const Config config = loadConfig(options);
@@ -102,7 +119,12 @@ void run(const MapOptions& options) {
     throw InputError(source + ": no reading of an access point in " + options.access_points +
                      " can be used; see the warnings above");
   }
-  writeMapFiles(*snapshot, config, options.output);
+  Snapshot judged = *snapshot;
+  mapper.judge(judged);
+  for (const AccessPointSummary& summary : judged.access_points) {
+    reportAccessPoint(options.access_points, summary);
+  }
+  writeMapFiles(judged, config, options.output);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   std::cerr << "sfw: wrote the map to " << options.output << " in "
             << static_cast<int>(elapsed.count() * 1000) << " ms\n";

@@ -149,7 +149,7 @@ AccessPoint readAccessPoint(const YAML::Node& entry, const std::string& where,
                             std::vector<std::string>& problems) {
   AccessPoint access_point;
   if (!entry.IsMap()) {
-    problems.push_back(where + ": must be a map with bssid, x and y");
+    problems.push_back(where + ": must be a map with bssid and, if they are known, x and y");
     return access_point;
   }
   std::string text;
@@ -161,8 +161,11 @@ AccessPoint readAccessPoint(const YAML::Node& entry, const std::string& where,
   } else {
     access_point.bssid = *bssid;
   }
-  access_point.position.x() = readNumber(entry, "x", true, where, problems).value_or(0.0);
-  access_point.position.y() = readNumber(entry, "y", true, where, problems).value_or(0.0);
+  access_point.position_known = entry["x"] || entry["y"];
+  if (access_point.position_known) {
+    access_point.position.x() = readNumber(entry, "x", true, where, problems).value_or(0.0);
+    access_point.position.y() = readNumber(entry, "y", true, where, problems).value_or(0.0);
+  }
   access_point.height_m = readNumber(entry, "z", false, where, problems);
   access_point.tx_dbm = readNumber(entry, "tx_dbm", false, where, problems);
   if (entry["name"]) {

@@ -67,9 +67,25 @@ ordered_json describe(const AccessPointSummary& summary) {
   const AccessPoint& access_point = summary.access_point;
   ordered_json json{{"bssid", access_point.bssid.str()},
                     {"name", asUtf8(access_point.name)},
-                    {"x", access_point.position.x()},
-                    {"y", access_point.position.y()},
                     {"readings", summary.readings}};
+  if (isPlaced(summary)) {
+    json["x"] = access_point.position.x();
+    json["y"] = access_point.position.y();
+  } else {
+    json["left_out"] = "it has no position, and its readings do not tell one";
+  }
+  if (summary.estimate) {
+    const Eigen::Matrix2d& covariance = summary.estimate->covariance;
+    json["estimated"] = {{"sd_x_m", std::sqrt(covariance(0, 0))},
+                         {"sd_y_m", std::sqrt(covariance(1, 1))},
+                         {"ambiguous", summary.estimate->ambiguous}};
+  }
+  if (summary.fit) {
+    json["fit"] = {{"residual_db", summary.fit->residual_db},
+                   {"suspect", summary.fit->suspect},
+                   {"seems_to_stand_at",
+                    {summary.fit->estimate.position.x(), summary.fit->estimate.position.y()}}};
+  }
   if (summary.model) {
     json["walls"] = summary.model->walls();
     json["centroids_dbm"] = summary.model->centroids();
@@ -188,8 +204,10 @@ std::string accessPointsYaml(const std::vector<AccessPoint>& access_points) {
     yaml << YAML::Flow << YAML::BeginMap;
     yaml << YAML::Key << "bssid" << YAML::Value << YAML::DoubleQuoted << access_point.bssid.str();
     yaml << YAML::Key << "name" << YAML::Value << YAML::DoubleQuoted << access_point.name;
-    yaml << YAML::Key << "x" << YAML::Value << access_point.position.x();
-    yaml << YAML::Key << "y" << YAML::Value << access_point.position.y();
+    if (access_point.position_known) {
+      yaml << YAML::Key << "x" << YAML::Value << access_point.position.x();
+      yaml << YAML::Key << "y" << YAML::Value << access_point.position.y();
+    }
     if (access_point.height_m) {
       yaml << YAML::Key << "z" << YAML::Value << *access_point.height_m;
     }

@@ -17,7 +17,9 @@ Box shownArea(const Snapshot& snapshot) {
     area.extend(pose.antenna_in_map);
   }
   for (const AccessPointSummary& summary : snapshot.access_points) {
-    area.extend(summary.access_point.position);
+    if (isPlaced(summary)) {
+      area.extend(summary.access_point.position);
+    }
   }
   Cell c;
   for (c.y = 0; c.y < geometry.height(); ++c.y) {
@@ -35,6 +37,9 @@ Box shownArea(const Snapshot& snapshot) {
 void drawAccessPoints(const Snapshot& snapshot, Canvas& canvas) {
   std::set<std::pair<double, double>> named;
   for (const AccessPointSummary& summary : snapshot.access_points) {
+    if (!isPlaced(summary)) {
+      continue;
+    }
     const AccessPoint& access_point = summary.access_point;
     const Position& at = access_point.position;
     const std::string name =

@@ -24,7 +24,12 @@ Position rounded(const Position& point) {
 Box extentOf(const std::vector<AccessPoint>& access_points) {
   Box box;
   for (const AccessPoint& access_point : access_points) {
-    box.extend(access_point.position);
+    if (access_point.position_known) {
+      box.extend(access_point.position);
+    }
+  }
+  if (box.isEmpty()) {
+    box.extend(Position::Zero());  // a map must be somewhere before the first reading
   }
   return box;
 }

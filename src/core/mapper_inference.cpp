@@ -85,6 +85,7 @@ std::shared_ptr<const Snapshot> Mapper::infer(Hearing hearing,
   const std::vector<Reading> kept = readings();
   Snapshot snapshot{BeliefMap(geometry_, config_.belief), pathOf(kept), {}, rejections_, {}};
   std::vector<Series> heard = seriesOf(kept);
+  snapshot.access_points = placed(heard);
   if (config_.method == "tomography") {
     inferByTomography(heard, hearing, stop, snapshot);
   } else {
@@ -93,21 +94,59 @@ std::shared_ptr<const Snapshot> Mapper::infer(Hearing hearing,
   return stop ? nullptr : std::make_shared<const Snapshot>(std::move(snapshot));
 }
 
+std::vector<Sample> Mapper::samplesOf(const Series& series) {
+  std::vector<Sample> samples;
+  samples.reserve(series.poses.size());
+  for (std::size_t i = 0; i < series.poses.size(); ++i) {
+    samples.push_back({series.poses[i].antenna_in_map, series.rssi_dbm[i]});
+  }
+  return samples;
+}
+
+std::vector<AccessPointSummary> Mapper::placed(std::vector<Series>& heard) const {
+  std::vector<AccessPointSummary> summaries;
+  for (std::size_t i = 0; i < heard.size(); ++i) {
+    AccessPointSummary summary{access_points_[i], heard[i].poses.size(), {}};
+    AccessPoint& access_point = summary.access_point;
+    if (!access_point.position_known) {
+      summary.estimate = estimateAccessPoint(samplesOf(heard[i]), access_point.height_m);
+      if (summary.estimate) {
+        access_point.position = summary.estimate->position;
+      } else {
+        heard[i] = {};
+      }
+    }
+    summaries.push_back(std::move(summary));
+  }
+  return summaries;
+}
+
+void Mapper::judge(Snapshot& snapshot) const {
+  const std::vector<Series> heard = seriesOf(readings());
+  for (std::size_t i = 0; i < heard.size(); ++i) {
+    const AccessPoint& access_point = access_points_[i];
+    if (access_point.position_known) {
+      snapshot.access_points[i].fit =
+          accessPointFit(samplesOf(heard[i]), access_point.position, access_point.height_m);
+    }
+  }
+}
+
 void Mapper::inferByCounts(std::vector<Series>& heard, Hearing hearing,
                            const std::atomic<bool>& stop, Snapshot& snapshot) const {
   std::vector<CountedPath> counted_paths;
   for (std::size_t i = 0; i < heard.size(); ++i) {
-    const AccessPoint& access_point = access_points_[i];
-    const std::vector<double> rssi_dbm = filtered(heard[i], access_point.position);
+    const Position& access_point = snapshot.access_points[i].access_point.position;
+    const std::vector<double> rssi_dbm = filtered(heard[i], access_point);
     const WallCountModel model = fitted(rssi_dbm);
-    CountedPath counted{access_point.position, {}};
+    CountedPath counted{access_point, {}};
     for (std::size_t j = 0; j < rssi_dbm.size(); ++j) {
       PathPose& pose = heard[i].poses[j];
       pose.walls = model.count(rssi_dbm[j]);
       counted.poses.push_back({pose.antenna_in_map, pose.walls});
       noteWalls(pose, snapshot.path);
     }
-    snapshot.access_points.push_back({access_point, rssi_dbm.size(), model});
+    snapshot.access_points[i].model = model;
     counted_paths.push_back(std::move(counted));
   }
   if (hearing == Hearing::kNothing) {
@@ -121,21 +160,21 @@ void Mapper::inferByCounts(std::vector<Series>& heard, Hearing hearing,
 void Mapper::inferByTomography(std::vector<Series>& heard, Hearing hearing,
                                const std::atomic<bool>& stop, Snapshot& snapshot) const {
   MappedDrive drive{positionsOf(snapshot.path), {}, contacts_};
+  std::vector<std::size_t> index;  // of each access point that is heard
   for (std::size_t i = 0; i < heard.size(); ++i) {
-    HeardSamples samples{access_points_[i].position, access_points_[i].height_m, {}};
-    for (std::size_t j = 0; j < heard[i].poses.size(); ++j) {
-      samples.samples.push_back({heard[i].poses[j].antenna_in_map, heard[i].rssi_dbm[j]});
+    if (!heard[i].poses.empty()) {
+      const AccessPoint& access_point = snapshot.access_points[i].access_point;
+      drive.heard.push_back({access_point.position, access_point.height_m, samplesOf(heard[i])});
+      index.push_back(i);
     }
-    drive.heard.push_back(std::move(samples));
   }
   FusedBelief fused = fuse(geometry_, drive, model_, config_, hearing == Hearing::kSignals, stop);
-  for (std::size_t i = 0; i < heard.size(); ++i) {
+  for (std::size_t i = 0; i < index.size(); ++i) {
     for (std::size_t j = 0; j < fused.sample_loss[i].size(); ++j) {
-      PathPose& pose = heard[i].poses[j];
+      PathPose& pose = heard[index[i]].poses[j];
       pose.walls = wallsOf(fused.sample_loss[i][j]);
       noteWalls(pose, snapshot.path);
     }
-    snapshot.access_points.push_back({access_points_[i], heard[i].poses.size(), {}});
   }
   snapshot.belief = BeliefMap(fused.occupied, config_.belief);
   snapshot.tomography =

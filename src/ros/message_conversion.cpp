@@ -104,6 +104,9 @@ void addAccessPoints(const Snapshot& snapshot, const std_msgs::Header& header,
   constexpr double kUsualHeight = 1.0;         // [m], where the table gives none
   constexpr Colour kViolet{0.75, 0.20, 0.90};  // legible on free and occupied cells alike
   for (std::size_t i = 0; i < snapshot.access_points.size(); ++i) {
+    if (!isPlaced(snapshot.access_points[i])) {
+      continue;
+    }
     const AccessPoint& access_point = snapshot.access_points[i].access_point;
     const double height = access_point.height_m.value_or(kUsualHeight);
     const int id = static_cast<int>(i);
@@ -137,16 +140,23 @@ void addLegend(const Snapshot& snapshot, const std_msgs::Header& header,
   }
 }
 
-/// As the table gives it: exactly there.
+/// As the table gives it, exactly there, or as estimated; nowhere (NaN) if it could not be placed.
 structure_from_wifi::AccessPoint toMessage(const AccessPointSummary& summary) {
   const AccessPoint& access_point = summary.access_point;
   structure_from_wifi::AccessPoint message;
   message.bssid = access_point.bssid.str();
   message.name = access_point.name;
   message.position = toPoint(access_point.position, access_point.height_m.value_or(0.0));
-  message.estimated = 0;
+  if (summary.estimate) {
+    message.estimated = 1;
+    const Eigen::Matrix2d& covariance = summary.estimate->covariance;
+    message.covariance = {covariance(0, 0), covariance(0, 1), covariance(1, 0), covariance(1, 1)};
+  } else if (!isPlaced(summary)) {
+    message.position.x = message.position.y = std::numeric_limits<double>::quiet_NaN();
+  }
   message.readings = static_cast<std::uint32_t>(summary.readings);
-  message.fit_db = std::numeric_limits<float>::quiet_NaN();
+  message.fit_db = summary.fit ? static_cast<float>(summary.fit->residual_db)
+                               : std::numeric_limits<float>::quiet_NaN();
   return message;
 }
 

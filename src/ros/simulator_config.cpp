@@ -170,6 +170,12 @@ SimulatorConfig simulatorConfigFromYaml(const YAML::Node& tree) {
   if (const YAML::Node table = find(tree, kAccessPointsKey)) {
     try {
       config.access_points = accessPointsFromYaml(table);
+      for (const AccessPoint& access_point : config.access_points) {
+        if (!access_point.position_known) {
+          throw InputError("access_points: " + access_point.bssid.str() +
+                           " needs x and y: a simulation does not estimate them");
+        }
+      }
     } catch (const InputError& error) {
       problems.add(error.what());
     }

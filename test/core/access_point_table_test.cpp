@@ -52,7 +52,7 @@ TEST(AccessPointTable, MustBeAListWithAnEntry) {
 
 TEST(AccessPointTable, NamesEntryAndFieldOfEachFault) {
   EXPECT_EQ(complaintOf("[" + kGood + ", 5]"),
-            "access_points[1]: must be a map with bssid, x and y");
+            "access_points[1]: must be a map with bssid and, if they are known, x and y");
   EXPECT_EQ(complaintOf("[{x: 1, y: 2}]"),
             "access_points[0]: 'bssid' must look like '02:00:00:00:00:01'; it is ''");
   EXPECT_EQ(complaintOf("[{bssid: 2:0:0:0:0:1, x: 1, y: 2}]"),
@@ -63,6 +63,13 @@ TEST(AccessPointTable, NamesEntryAndFieldOfEachFault) {
             "access_points[0]: 'x' is missing");
   EXPECT_EQ(complaintOf("[{bssid: '02:00:00:00:00:01', x: 1}]"),
             "access_points[0]: 'y' is missing");
+}
+
+TEST(AccessPointTable, TakesAnAccessPointWithoutPositionToEstimateIt) {
+  const auto table = fromText("[{bssid: '02:00:00:00:00:01', z: 2}, " + kGood + "]");
+  EXPECT_FALSE(table[0].position_known);
+  EXPECT_EQ(table[0].height_m, 2.0);
+  EXPECT_TRUE(table[1].position_known);
 }
 
 TEST(AccessPointTable, AsksForFiniteNumbers) {
