@@ -24,7 +24,7 @@ struct TrainingDrive {
 ///
 /// - up to three rectangles are cut out of the building, as if nobody could get in there;
 /// - along walls, half-metre furniture stands in the way of the robot but not of the radio;
-/// - the robot is 1 to 8 cm in radius, as positions of small robots are known to reach that close
+/// - the robot is 1 to 15 cm in radius, as positions of small robots are known to reach that close
 ///   to what a lidar calls a wall, and follows walls tightly or loosely, cutting corners; or it
 ///   patrols, with or without roaming around on the way; it covers all or a part of the building;
 /// - the radio is `realistic`, seldom `ideal` or `hard`, with walls of 2 to 11 dB, and 1 to 5

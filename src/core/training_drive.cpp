@@ -91,7 +91,7 @@ std::optional<TrainingDrive> makeTrainingDrive(const Plan& plan, DrivingStyle st
   config.level = chooseLevel(random);
   config.path = style == DrivingStyle::kAlongWalls ? "walls" : "sparse";
   config.access_points = 1 + static_cast<std::int64_t>(random.uniform(0.0, 4.99));
-  config.robot_radius = random.uniform(0.01, 0.08);
+  config.robot_radius = random.uniform(0.01, 0.15);
   const bool strolls = style == DrivingStyle::kAnyPath && happens(0.6, random);
   const bool covers_all = !happens(strolls ? 0.25 : 0.6, random);
 

@@ -30,7 +30,7 @@ TEST(BeliefMap, IsUnknownAtFirst) {
 }
 
 TEST(BeliefMap, TellsStatesByItsThresholds) {
-  const BeliefMap belief = row({0.1F, 0.17F, 0.4F, 0.5F, 0.6F, 0.7F, 0.9F});
+  const BeliefMap belief = row({0.1F, 0.15F, 0.4F, 0.5F, 0.6F, 0.7F, 0.9F});
   const std::vector<CellState> expected{
       CellState::kFree,    CellState::kFree,     CellState::kUnknown, CellState::kUnknown,
       CellState::kUnknown, CellState::kOccupied, CellState::kOccupied};
