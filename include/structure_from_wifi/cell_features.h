@@ -10,7 +10,7 @@
 
 namespace sfw {
 
-constexpr std::size_t kCellFeatures = 25;
+constexpr std::size_t kCellFeatures = 37;
 
 /// Names of the features in their order; a model file repeats them (doc/algorithm.md explains).
 const std::array<const char*, kCellFeatures>& cellFeatureNames();
@@ -28,6 +28,7 @@ struct CellFeatures {
   std::vector<std::size_t> cells;  ///< indices of those within kFarthestJudged of the path
   std::vector<std::array<float, kCellFeatures>> values;  ///< of each of `cells`
   PathStyle style;
+  double explained = 0.0;  ///< as explainedShare
 };
 
 /// A path in the building frame.

@@ -40,10 +40,13 @@ struct ProbabilityFigures {
 };
 
 /// How well what the radio alone says tells walls from free space, over the cells that a ray
-/// crosses.
+/// crosses. It calls a wall where the loss is half a dB or more, and half or more of the greatest
+/// loss within 0.2 m along the axes; these are compared with the observed walls.
 struct RadioFigures {
-  std::optional<double> auc;           ///< of the wall loss; ties half
-  std::optional<double> auc_off_path;  ///< the same farther than 0.3 m from the path
+  std::optional<double> auc;                 ///< of the wall loss; ties half
+  std::optional<double> auc_off_path;        ///< the same farther than 0.3 m from the path
+  std::optional<double> wall_f1_two_cells;   ///< tolerance 0.1 m
+  std::optional<double> wall_f1_four_cells;  ///< tolerance 0.2 m
 };
 
 /// All figures of one map. A figure is absent where the truth or the input gives it no meaning.
@@ -75,7 +78,7 @@ struct EvaluationInput {
   std::vector<Position> path;                 ///< antenna positions [m] in the order driven
   std::vector<Position> access_points;        ///< [m]; may be empty
   std::optional<Grid<float>> probabilities;   ///< of being occupied; not in [0, 1] counts as 0.5
-  std::optional<Grid<float>> wall_loss = {};  ///< what radio alone says of walls, in any unit
+  std::optional<Grid<float>> wall_loss = {};  ///< what radio alone says of walls [dB]
 };
 
 /// Compares a map with the truth on cells of 0.05 m in the truth's frame.

@@ -67,6 +67,7 @@ struct TomographySummary {
   Grid<float> wall_loss;  ///< of signals through each cell, by radio alone [dB]
   BuildingFrame frame;
   double follows_walls = 0.0;  ///< how far the model for wall followers was used, 0 to 1
+  double explained = 0.0;      ///< share of what distance leaves of the signals that walls explain
 };
 
 /// What was given to a mapper and left out of the map.

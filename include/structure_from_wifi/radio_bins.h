@@ -41,4 +41,12 @@ HeardAccessPoint binned(const std::vector<Sample>& samples, const Position& acce
 /// multiplied by. The antenna rides 0.6 m above the floor where the access point's height is known.
 double logDistance(const HeardAccessPoint& access_point, const Position& place);
 
+/// How far walls explain what distance does not: one minus the variance of the signals around a
+/// log-distance law with the walls' losses given back, over the variance without; 0 to 1. Its
+/// complement is all that is neither: noise, furniture, a wrong place of an access point.
+/// @param ray_loss  of each bin of each access point [dB]; access points of fewer than ten bins are
+///                  left out
+double explainedShare(const std::vector<HeardAccessPoint>& heard,
+                      const std::vector<std::vector<double>>& ray_loss);
+
 }  // namespace sfw

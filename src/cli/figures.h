@@ -52,6 +52,10 @@ void forEachFigure(const MapFigures& m, Visitor&& visit) {
         within(m.radio, &RadioFigures::auc));
   visit("radio_auc_off_path", "wall loss beyond 0.3 m of the path: the same",
         within(m.radio, &RadioFigures::auc_off_path));
+  visit("radio_wall_f1_2", "walls by radio alone: F1 within 0.1 m",
+        within(m.radio, &RadioFigures::wall_f1_two_cells));
+  visit("radio_wall_f1_4", "walls by radio alone: F1 within 0.2 m",
+        within(m.radio, &RadioFigures::wall_f1_four_cells));
 }
 
 inline nlohmann::ordered_json figuresJson(const MapFigures& figures) {

@@ -117,6 +117,9 @@ Ways waysFrom(const Mask& path, const Grid<double>& distance, const Values& stre
 /// 0 for nothing, towards 1 beyond `scale`.
 float saturating(float value, float scale) { return 1.0F - std::exp(-value / scale); }
 
+/// By how much a value passes a limit. A line bent there may say more than a straight one.
+float over(float value, float limit) { return std::max(0.0F, value - limit); }
+
 /// Everything that is computed for the whole grid before single cells are described.
 class Describer {
  public:
@@ -136,7 +139,8 @@ class Describer {
         beside_(boxMean(walls.strength, wholeCells(0.2))),
         ways_(waysFrom(path.cells, distance_, walls.strength)),
         alignment_(axisAlignment(geometry_, path.driven, path.max_gap_m)),
-        style_(styleOf(path.cells, disc_middle_, path.driven, path.max_gap_m)) {
+        style_(styleOf(path.cells, disc_middle_, path.driven, path.max_gap_m)),
+        explained_(explainedShare(heard, walls.ray_loss)) {
     Values covered(geometry_);
     for (std::size_t i = 0; i < distance_.cells.size(); ++i) {
       footprint_.cells[i] =
@@ -149,7 +153,7 @@ class Describer {
   }
 
   CellFeatures describe() const {
-    CellFeatures features{geometry_, {}, {}, style_};
+    CellFeatures features{geometry_, {}, {}, style_, explained_};
     for (std::size_t i = 0; i < distance_.cells.size(); ++i) {
       if (distance_.cells[i] * geometry_.resolution() <= kFarthestJudged) {
         features.cells.push_back(i);
@@ -193,6 +197,11 @@ class Describer {
     const auto access_points = static_cast<float>(std::max<std::size_t>(heard_.size(), 1));
     const std::array<float, 4> along = sortedAlong(i);
     const std::size_t source = ways_.source.cells[i];
+    const float line_of_sight = seen ? std::exp(-rays_.least_loss.cells[i] / 4.0F) : 0.0F;
+    const float wall_strength = saturating(walls_.strength.cells[i], 1.5F);
+    const float wall_beside = saturating(beside_.cells[i], 1.5F);
+    const float way_around = saturating(std::max(0.0F, ways_.cost.cells[i] - d), 0.5F);
+    const auto explained = static_cast<float>(explained_);
     return {std::exp(-d / 0.1F),
             d,
             std::exp(-d / 0.4F),
@@ -203,11 +212,11 @@ class Describer {
             square_middle_.cells[i],
             std::min(std::log2(1.0F + rays_.rays.cells[i]), 6.0F) / 6.0F,
             rays_.access_points.cells[i] / access_points,
-            seen ? std::exp(-rays_.least_loss.cells[i] / 4.0F) : 0.0F,
+            line_of_sight,
             std::exp(-static_cast<float>(nearestAccessPoint(i))),
-            saturating(walls_.strength.cells[i], 1.5F),
-            saturating(beside_.cells[i], 1.5F),
-            saturating(std::max(0.0F, ways_.cost.cells[i] - d), 0.5F),
+            wall_strength,
+            wall_beside,
+            way_around,
             along[0],
             along[1],
             along[2],
@@ -217,7 +226,19 @@ class Describer {
             alignment_.cells[source],
             disc_small_.cells[source],
             disc_middle_.cells[source],
-            disc_large_.cells[source]};
+            disc_large_.cells[source],
+            explained,
+            explained * line_of_sight,
+            explained * wall_strength,
+            explained * wall_beside,
+            explained * way_around,
+            over(line_of_sight, 0.1F),
+            over(line_of_sight, 0.4F),
+            over(wall_strength, 0.1F),
+            over(wall_beside, 0.02F),
+            over(wall_beside, 0.1F),
+            over(way_around, 0.1F),
+            over(way_around, 0.25F)};
   }
 
   const GridGeometry& geometry_;
@@ -231,6 +252,7 @@ class Describer {
   Ways ways_;
   Values alignment_;
   PathStyle style_;
+  double explained_;  // share of the signals that walls explain
   std::vector<float> coverage_near_, coverage_far_;
   std::array<Values, 4> along_{Values(geometry_), Values(geometry_), Values(geometry_),
                                Values(geometry_)};
@@ -239,22 +261,51 @@ class Describer {
 }  // namespace
 
 const std::array<const char*, kCellFeatures>& cellFeatureNames() {
-  static constexpr std::array<const char*, kCellFeatures> kNames{
-      "path_close",       "path_distance",    "path_near",
-      "depth_disc_0.6",   "depth_disc_1.2",   "depth_disc_2.4",
-      "depth_square_0.6", "depth_square_1.2", "rays",
-      "access_points",    "line_of_sight",    "access_point_near",
-      "wall_strength",    "wall_beside",      "way_around",
-      "nearest_along",    "opposite_along",   "nearest_across",
-      "opposite_across",  "coverage_0.6",     "coverage_1.5",
-      "source_alignment", "source_depth_0.6", "source_depth_1.2",
-      "source_depth_2.4"};
+  static constexpr std::array<const char*, kCellFeatures> kNames{"path_close",
+                                                                 "path_distance",
+                                                                 "path_near",
+                                                                 "depth_disc_0.6",
+                                                                 "depth_disc_1.2",
+                                                                 "depth_disc_2.4",
+                                                                 "depth_square_0.6",
+                                                                 "depth_square_1.2",
+                                                                 "rays",
+                                                                 "access_points",
+                                                                 "line_of_sight",
+                                                                 "access_point_near",
+                                                                 "wall_strength",
+                                                                 "wall_beside",
+                                                                 "way_around",
+                                                                 "nearest_along",
+                                                                 "opposite_along",
+                                                                 "nearest_across",
+                                                                 "opposite_across",
+                                                                 "coverage_0.6",
+                                                                 "coverage_1.5",
+                                                                 "source_alignment",
+                                                                 "source_depth_0.6",
+                                                                 "source_depth_1.2",
+                                                                 "source_depth_2.4",
+                                                                 "explained",
+                                                                 "explained_line_of_sight",
+                                                                 "explained_wall_strength",
+                                                                 "explained_wall_beside",
+                                                                 "explained_way_around",
+                                                                 "line_of_sight_over_0.1",
+                                                                 "line_of_sight_over_0.4",
+                                                                 "wall_strength_over_0.1",
+                                                                 "wall_beside_over_0.02",
+                                                                 "wall_beside_over_0.1",
+                                                                 "way_around_over_0.1",
+                                                                 "way_around_over_0.25"};
   return kNames;
 }
 
 bool usesRadio(std::size_t feature) {
   static constexpr std::array<std::size_t, 4> kOfRadio{10, 12, 13, 14};
-  return std::find(kOfRadio.begin(), kOfRadio.end(), feature) != kOfRadio.end();
+  static constexpr std::size_t kOfRadioFrom = 25;
+  return feature >= kOfRadioFrom ||
+         std::find(kOfRadio.begin(), kOfRadio.end(), feature) != kOfRadio.end();
 }
 
 CellFeatures describeCells(const DrivenPath& path, const std::vector<HeardAccessPoint>& heard,

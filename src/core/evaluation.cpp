@@ -12,6 +12,7 @@ namespace {
 constexpr double kTolerance = 0.1;    // [m] of the tolerant free precision
 constexpr double kBeyond = 0.3;       // [m] from the path
 constexpr double kTwoCells = 2.0;     // tolerance of walls
+constexpr double kFourCells = 4.0;    // that of what radio alone calls walls, beside the former
 constexpr double kMostlyKnown = 0.9;  // share of known cells from which the others are left out
 constexpr double kLeastProbability = 0.5 / 255.0;  // half a step of an 8-bit raster
 
@@ -161,6 +162,50 @@ ProbabilityFigures probabilityFigures(RatedCells rated) {
   return figures;
 }
 
+/// The greatest value within some cells along an axis.
+Grid<float> greatest(const Grid<float>& values, std::int64_t reach, const Cell& axis) {
+  Grid<float> result(values.geometry);
+  for (std::size_t i = 0; i < values.cells.size(); ++i) {
+    const Cell c = values.geometry.cell(i);
+    float most = values.cells[i];
+    for (std::int64_t step = -reach; step <= reach; ++step) {
+      const Cell near{c.x + step * axis.x, c.y + step * axis.y};
+      if (values.geometry.contains(near)) {
+        most = std::max(most, values[near]);
+      }
+    }
+    result.cells[i] = most;
+  }
+  return result;
+}
+
+/// What the radio alone calls a wall: a loss that counts, and the ridge of it.
+Mask wallsByRadio(const Grid<float>& losses) {
+  constexpr float kLeastLoss = 0.5F;   // [dB]
+  constexpr float kLeastShare = 0.5F;  // of the greatest around
+  constexpr std::int64_t kAround = 4;  // cells, 0.2 m
+  const Grid<float> around = greatest(greatest(losses, kAround, {1, 0}), kAround, {0, 1});
+  Mask walls(losses.geometry);
+  for (std::size_t i = 0; i < walls.cells.size(); ++i) {
+    const float loss = losses.cells[i];
+    walls.cells[i] = loss >= kLeastLoss && loss >= kLeastShare * around.cells[i] ? 1 : 0;
+  }
+  return walls;
+}
+
+/// F1 of what the radio alone calls walls, where the truth knows what there is.
+std::optional<double> radioWallF1(const Mask& called, const EvaluationTruth& truth,
+                                  double tolerance_cells) {
+  const Mask observed = both(truth.walls, *truth.observed);
+  const std::optional<double> recall = shareIfAny(observed, dilated(called, tolerance_cells));
+  if (!recall) {
+    return std::nullopt;
+  }
+  const double precision = share(called, dilated(observed, tolerance_cells));
+  const double sum = precision + *recall;
+  return sum > 0.0 ? 2.0 * precision * *recall / sum : 0.0;
+}
+
 RadioFigures radioFigures(const Grid<float>& wall_loss, const EvaluationTruth& truth) {
   const Grid<float> losses = sampled(wall_loss, truth.lattice(), 0.0F);
   const Grid<double> from_path = distanceTransform(truth.path);
@@ -177,7 +222,14 @@ RadioFigures radioFigures(const Grid<float>& wall_loss, const EvaluationTruth& t
       (wall ? off_path.wall : off_path.free).push_back(loss);
     }
   }
-  return {areaUnderCurve(all), areaUnderCurve(off_path)};
+  Mask called = wallsByRadio(losses);
+  for (std::size_t i = 0; i < called.cells.size(); ++i) {
+    if (truth.walls.cells[i] == 0 && truth.region.cells[i] == 0) {
+      called.cells[i] = 0;  // nothing to compare with
+    }
+  }
+  return {areaUnderCurve(all), areaUnderCurve(off_path), radioWallF1(called, truth, kTwoCells),
+          radioWallF1(called, truth, kFourCells)};
 }
 
 MapFigures figuresOfMap(const EvaluationInput& input, const EvaluationTruth& truth) {

@@ -101,7 +101,8 @@ ordered_json describe(const TomographySummary& tomography) {
                                                                   : "none";
   return {{"building_yaw_rad", tomography.frame.yaw_rad},
           {"building_yaw_from", source},
-          {"follows_walls", tomography.follows_walls}};
+          {"follows_walls", tomography.follows_walls},
+          {"signals_explained_by_walls", tomography.explained}};
 }
 
 ordered_json describe(const Rejections& rejections) {

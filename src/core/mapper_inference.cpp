@@ -177,8 +177,8 @@ void Mapper::inferByTomography(std::vector<Series>& heard, Hearing hearing,
     }
   }
   snapshot.belief = BeliefMap(fused.occupied, config_.belief);
-  snapshot.tomography =
-      TomographySummary{std::move(fused.wall_loss), fused.frame, fused.follows_walls};
+  snapshot.tomography = TomographySummary{std::move(fused.wall_loss), fused.frame,
+                                          fused.follows_walls, fused.explained};
 }
 
 std::vector<double> Mapper::filtered(const Series& series, const Position& access_point) const {

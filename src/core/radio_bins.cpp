@@ -1,5 +1,6 @@
 #include "structure_from_wifi/radio_bins.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -23,6 +24,26 @@ double noiseOf(const std::vector<Sample>& samples) {
   }
   const double mean = samples.size() > 1 ? sum / static_cast<double>(samples.size() - 1) : 0.0;
   return std::max(mean, kLeastNoise * kLeastNoise);
+}
+
+/// Sum of squares around the log-distance law that fits best, after giving back the losses [dB^2].
+double squaresAroundLaw(const HeardAccessPoint& heard, const std::vector<double>& loss_db) {
+  // Exponents measured indoors lie within these, walls counted apart or not.
+  constexpr double kLeastExponent = 0.8;
+  constexpr double kMostExponent = 3.5;
+  const auto count = static_cast<Eigen::Index>(heard.bins.size());
+  Eigen::ArrayXd distance(count);
+  Eigen::ArrayXd signal(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const RadioBin& bin = heard.bins[static_cast<std::size_t>(i)];
+    distance[i] = logDistance(heard, bin.place);
+    signal[i] = bin.rssi_dbm + loss_db[static_cast<std::size_t>(i)];
+  }
+  distance -= distance.mean();
+  signal -= signal.mean();
+  const double spread = distance.square().sum();
+  const double slope = spread > 0.0 ? (distance * signal).sum() / spread : 0.0;
+  return (signal - std::clamp(slope, -kMostExponent, -kLeastExponent) * distance).square().sum();
 }
 
 }  // namespace
@@ -56,6 +77,20 @@ double logDistance(const HeardAccessPoint& access_point, const Position& place) 
                               ? std::hypot(on_floor, *access_point.height_m - kAntennaHeight)
                               : on_floor;
   return 10.0 * std::log10(distance);
+}
+
+double explainedShare(const std::vector<HeardAccessPoint>& heard,
+                      const std::vector<std::vector<double>>& ray_loss) {
+  constexpr std::size_t kFewest = 10;
+  double by_distance = 0.0;
+  double with_walls = 0.0;
+  for (std::size_t i = 0; i < heard.size(); ++i) {
+    if (heard[i].bins.size() >= kFewest) {
+      by_distance += squaresAroundLaw(heard[i], std::vector<double>(heard[i].bins.size(), 0.0));
+      with_walls += squaresAroundLaw(heard[i], ray_loss[i]);
+    }
+  }
+  return by_distance > 0.0 ? std::clamp(1.0 - with_walls / by_distance, 0.0, 1.0) : 0.0;
 }
 
 }  // namespace sfw

@@ -217,7 +217,7 @@ DescribedDrive describeDrive(const MappedDrive& drive, const Config& config,
 
 FusedBelief fuse(const GridGeometry& geometry, const MappedDrive& drive, const BeliefModel& model,
                  const Config& config, bool radio, const std::atomic<bool>& stop) {
-  FusedBelief belief{Grid<float>(geometry, kUnknown), Grid<float>(geometry), 0.0, {}, {}};
+  FusedBelief belief{Grid<float>(geometry, kUnknown), Grid<float>(geometry), 0.0, 0.0, {}, {}};
   if (drive.path.empty()) {
     belief.sample_loss.resize(drive.heard.size());
     return belief;
@@ -225,6 +225,7 @@ FusedBelief fuse(const GridGeometry& geometry, const MappedDrive& drive, const B
   const DescribedDrive described = describeDrive(drive, config, stop);
   belief.frame = described.frame;
   belief.follows_walls = model.followsWalls(described.cells.style);
+  belief.explained = described.cells.explained;
   const Grid<float> free = freeProbability(described, model, belief.follows_walls, radio);
   belief.occupied = onMap(geometry, free, described.frame, 0.5F);
   for (float& occupied : belief.occupied.cells) {

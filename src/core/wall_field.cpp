@@ -13,7 +13,7 @@ namespace {
 
 /// A robot keeps away from walls: next to its footprint a wall is unlikely, over this distance it
 /// becomes as likely as anywhere [m].
-constexpr double kShyness = 0.5;
+constexpr double kShyness = 0.2;
 
 /// Fraction of the whole numbers' reversed digits in a base (van der Corput 1935): shifts that
 /// fill [0, 1) evenly however many there are.
@@ -86,7 +86,7 @@ Grid<float> strengthOf(const LineField& loss, const Grid<double>& distance, doub
     const double away = std::max(0.0, distance.cells[i] * geometry.resolution() - radius);
     const double likely = 1.0 - std::exp(-away / kShyness);
     strength.cells[i] =
-        static_cast<float>(likely) * (loss.across_x.cells[i] + loss.across_y.cells[i]);
+        static_cast<float>(likely * likely) * (loss.across_x.cells[i] + loss.across_y.cells[i]);
   }
   return strength;
 }

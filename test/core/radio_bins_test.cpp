@@ -101,5 +101,42 @@ TEST(LogDistance, IsThatInSpaceAndAtLeastThirtyCentimetres) {
   EXPECT_NEAR(logDistance(heard, {1.5, 0.0}), 10.0 * std::log10(2.5), 1e-12);
 }
 
+/// Bins on a straight line that leads away, with a wall of 8 dB after half of them.
+HeardAccessPoint heardThroughAWall(double exponent) {
+  std::vector<Sample> samples;
+  for (int i = 2; i < 22; ++i) {
+    const double distance = 0.5 * i + 0.25;
+    samples.push_back({kAccessPoint + Position(distance, 0.25),
+                       -40.0 - 10.0 * exponent * std::log10(std::hypot(distance, 0.25)) -
+                           (i < 12 ? 0.0 : 8.0)});
+  }
+  return binnedHere(samples);
+}
+
+std::vector<double> lossBehind(const HeardAccessPoint& heard, double loss_db) {
+  std::vector<double> losses;
+  for (const RadioBin& bin : heard.bins) {
+    losses.push_back(bin.place.x() - kAccessPoint.x() < 6.0 ? 0.0 : loss_db);
+  }
+  return losses;
+}
+
+TEST(ExplainedShare, IsOneWhereWallsExplainAllAndNoneWhereTheyExplainNothing) {
+  const HeardAccessPoint heard = heardThroughAWall(2.0);
+  EXPECT_NEAR(explainedShare({heard}, {lossBehind(heard, 8.0)}), 1.0, 1e-9);
+  EXPECT_EQ(explainedShare({heard}, {lossBehind(heard, 0.0)}), 0.0);
+  EXPECT_EQ(explainedShare({heard}, {lossBehind(heard, -8.0)}), 0.0);  // worse than nothing
+  const double half = explainedShare({heard}, {lossBehind(heard, 4.0)});
+  EXPECT_GT(half, 0.6);
+  EXPECT_LT(half, 0.9);
+}
+
+TEST(ExplainedShare, LeavesOutWhatIsHardlyHeard) {
+  HeardAccessPoint heard = heardThroughAWall(2.0);
+  heard.bins.resize(9);
+  EXPECT_EQ(explainedShare({heard}, {lossBehind(heard, 8.0)}), 0.0);
+  EXPECT_EQ(explainedShare({}, {}), 0.0);
+}
+
 }  // namespace
 }  // namespace sfw
