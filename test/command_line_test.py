@@ -182,6 +182,19 @@ class Comparison(CommandLine):
         self.assertEqual(run.returncode, 1)
         self.assertIn("picture.png", run.stderr)
 
+    def test_maps_beside_each_other(self):
+        self.good(self.map())
+        made, panels = self.output / "map.yaml", self.folder / "panels.png"
+        judge = ("evaluate", "--map", made, "--truth", made, "--readings", self.readings,
+                 "--beside")
+        run = self.good(self.sfw(*judge, "the same=%s" % made, "--panels", panels, "--json"))
+        figures = json.loads(run.stdout)
+        self.assertEqual(figures["beside"], {"the same": figures["map"]})
+        self.assertTrue(panels.read_bytes().startswith(b"\x89PNG"))
+        self.assertIn("the same", self.good(self.sfw(*judge, "the same=%s" % made)).stdout)
+        for words in (made, "=%s" % made, "title=none.yaml"):
+            self.assertEqual(self.sfw(*judge, words).returncode, 1)
+
 
 class BadOutput(CommandLine):
     def test_a_file_in_the_way(self):

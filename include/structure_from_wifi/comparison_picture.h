@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "structure_from_wifi/evaluation.h"
 
@@ -15,5 +16,22 @@ namespace sfw {
 /// @throw InputError if the truth has no known cell; std::runtime_error if Cairo fails.
 /// O(cells of the truth).
 std::string renderComparison(const EvaluationInput& input);
+
+/// A map to be shown beside others.
+struct MapPanel {
+  std::string title;
+  std::string note;  ///< a short line below the title
+  Grid<CellState> map;
+};
+
+/// A PNG for people of the truth, with path and access points, and maps beside it: one row of
+/// panels at one scale, cut alike, with titles and a scale bar. True walls show faintly where a map
+/// has none.
+///
+/// @param truth_note  line below the truth's title
+/// @param with_legend  what the colours mean; one row of several may do without
+/// @throw as renderComparison. O(cells of the truth and of the maps).
+std::string renderPanels(const EvaluationInput& input, const std::string& truth_note,
+                         const std::vector<MapPanel>& maps, bool with_legend);
 
 }  // namespace sfw

@@ -101,4 +101,8 @@ struct EvaluationInput {
 /// O(cells of the truth + positions x access points x cells on a ray).
 Evaluation evaluate(const EvaluationInput& input);
 
+/// The path-only map of evaluate(): free or unknown. What is in the input's map does not matter.
+/// @throw as evaluate()
+Grid<CellState> pathOnlyMap(const EvaluationInput& input);
+
 }  // namespace sfw

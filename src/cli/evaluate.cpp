@@ -1,14 +1,13 @@
 #include <atomic>
-#include <filesystem>
-#include <iomanip>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "commands.h"
+#include "evaluation_text.h"
 #include "figures.h"
+#include "judged_map.h"
 #include "structure_from_wifi/atomic_file.h"
 #include "structure_from_wifi/comparison_picture.h"
 #include "structure_from_wifi/config_reader.h"
@@ -28,14 +27,18 @@ struct EvaluateOptions {
   std::string readings;
   std::string access_points;
   std::string probability;
+  std::vector<std::string> beside;
   bool controls = false;
   bool prediction = false;
   std::string config;
   bool json = false;
   std::string picture;
+  std::string panels;
+  std::string title = "map";
+  bool no_legend = false;
 };
 
-nlohmann::ordered_json toJson(const Evaluation& evaluation) {
+nlohmann::ordered_json toJson(const Evaluation& evaluation, const std::vector<JudgedMap>& beside) {
   nlohmann::ordered_json json;
   json["free_m2"] = evaluation.free_m2;
   json["wall_cells"] = evaluation.wall_cells;
@@ -48,40 +51,11 @@ nlohmann::ordered_json toJson(const Evaluation& evaluation) {
     json["probability_cells"] = evaluation.map.probability->cells;
   }
   json["map"] = figuresJson(evaluation.map);
+  for (const JudgedMap& judged : beside) {
+    json["beside"][judged.title] = figuresJson(judged.figures);
+  }
   json["path_only"] = figuresJson(evaluation.path_only);
   return json;
-}
-
-void printValue(std::ostream& out, std::optional<double> value) {
-  constexpr int kWidth = 12;
-  if (value) {
-    out << std::setw(kWidth) << std::fixed << std::setprecision(3) << *value;
-  } else {
-    out << std::setw(kWidth) << '-';
-  }
-}
-
-void printTable(std::ostream& out, const Evaluation& evaluation) {
-  constexpr int kTextWidth = 48;
-  out << "truth: " << std::fixed << std::setprecision(2) << evaluation.free_m2 << " m2 free, "
-      << evaluation.wall_cells << " wall cells";
-  if (evaluation.observed_wall_cells) {
-    out << ", " << *evaluation.observed_wall_cells << " of them observed";
-  }
-  out << "\n\n"
-      << std::left << std::setw(kTextWidth) << "figure" << std::right << std::setw(12) << "map"
-      << std::setw(12) << "path only" << '\n';
-  std::vector<std::optional<double>> reference;
-  forEachFigure(evaluation.path_only, [&](const char*, const char*, std::optional<double> value) {
-    reference.push_back(value);
-  });
-  auto beside = reference.begin();
-  forEachFigure(evaluation.map, [&](const char*, const char* text, std::optional<double> value) {
-    out << std::left << std::setw(kTextWidth) << text << std::right;
-    printValue(out, value);
-    printValue(out, *beside++);
-    out << '\n';
-  });
 }
 
 nlohmann::ordered_json toJson(const ControlFigures& controls) {
@@ -91,30 +65,6 @@ nlohmann::ordered_json toJson(const ControlFigures& controls) {
     json["shifted_radio"].push_back(figuresJson(figures));
   }
   return json;
-}
-
-void printControls(std::ostream& out, const MapFigures& map, const ControlFigures& controls) {
-  constexpr int kTextWidth = 48;
-  std::map<std::string, Statistics> shifted;
-  for (const MapFigures& one : controls.shifted_radio) {
-    forEachFigure(one, [&](const char* key, const char*, std::optional<double> value) {
-      shifted[key].add(value);
-    });
-  }
-  std::map<std::string, std::optional<double>> silent;
-  forEachFigure(controls.no_radio, [&](const char* key, const char*, std::optional<double> value) {
-    silent[key] = value;
-  });
-  out << "\n"
-      << std::left << std::setw(kTextWidth) << "controls" << std::right << std::setw(12) << "map"
-      << std::setw(12) << "no radio"
-      << "   shifted radio\n";
-  forEachFigure(map, [&](const char* key, const char* text, std::optional<double> value) {
-    out << std::left << std::setw(kTextWidth) << text << std::right;
-    printValue(out, value);
-    printValue(out, silent[key]);
-    out << "   " << shifted[key].text() << '\n';
-  });
 }
 
 /// The controls, if asked for: they map the readings again.
@@ -137,21 +87,6 @@ nlohmann::ordered_json toJson(const PredictionFigures& figures) {
           {"walls_db", figures.walls},
           {"distance_shadowed_db", figures.distance_shadowed},
           {"walls_shadowed_db", figures.walls_shadowed}};
-}
-
-void printPrediction(std::ostream& out, const PredictionFigures& figures) {
-  constexpr int kTextWidth = 48;
-  const auto print = [&](const char* text, double mean, double shadowed) {
-    out << std::left << std::setw(kTextWidth) << text << std::right;
-    printValue(out, mean);
-    printValue(out, shadowed);
-    out << '\n';
-  };
-  out << "\n"
-      << std::left << std::setw(kTextWidth) << "prediction of hidden stretches, rms error [dB]"
-      << std::right << std::setw(12) << "alone" << std::setw(12) << "+ nearest" << '\n';
-  print("distance", figures.distance, figures.distance_shadowed);
-  print("distance and walls", figures.walls, figures.walls_shadowed);
 }
 
 /// How well hidden readings can be predicted, if asked for.
@@ -192,13 +127,6 @@ std::vector<Position> heardAccessPoints(const EvaluateOptions& options,
   return positions;
 }
 
-/// A raster that the mapper writes beside the map, if it is there.
-std::optional<Grid<float>> readBeside(const std::string& map, const char* name) {
-  const std::filesystem::path beside = std::filesystem::path(map).parent_path() / name;
-  return std::filesystem::exists(beside) ? std::optional(readProbabilities(beside.string()))
-                                         : std::nullopt;
-}
-
 void runEvaluate(const EvaluateOptions& options) {
   if (options.readings.empty()) {
     throw InputError(
@@ -217,13 +145,22 @@ void runEvaluate(const EvaluateOptions& options) {
     input.access_points = heardAccessPoints(options, readings);
   }
   const Evaluation evaluation = evaluate(input);
+  std::vector<JudgedMap> beside;
+  for (const std::string& title_and_file : options.beside) {
+    beside.push_back(judgeMap(title_and_file, input));
+  }
   if (!options.picture.empty()) {
     writeAtomically(options.picture, renderComparison(input));
+  }
+  if (!options.panels.empty()) {
+    std::vector<JudgedMap> shown = beside;
+    shown.push_back({options.title, input.map, evaluation.map});
+    writeAtomically(options.panels, picturePanels(input, evaluation, shown, !options.no_legend));
   }
   const std::optional<ControlFigures> controls = controlsFor(options, input, readings);
   const std::optional<PredictionFigures> prediction = predictionFor(options, readings);
   if (!options.json) {
-    printTable(std::cout, evaluation);
+    printTable(std::cout, evaluation, beside);
     if (controls) {
       printControls(std::cout, evaluation.map, *controls);
     }
@@ -232,7 +169,7 @@ void runEvaluate(const EvaluateOptions& options) {
     }
     return;
   }
-  nlohmann::ordered_json json = toJson(evaluation);
+  nlohmann::ordered_json json = toJson(evaluation, beside);
   if (controls) {
     json["controls"] = toJson(*controls);
   }
@@ -257,6 +194,9 @@ void addEvaluateCommand(CLI::App& sfw) {
   command->add_option("--probability", options->probability,
                       "Probabilities of being occupied (map_server yaml, mode scale); default: "
                       "probability.yaml beside the map, if there is one");
+  command->add_option("--beside", options->beside,
+                      "TITLE=FILE; another map of the place to judge too (map_server yaml); may be "
+                      "repeated");
   command->add_flag("--controls", options->controls,
                     "Map again without radio, and with the signals moved along the path by 1/9 .. "
                     "8/9 of the run; what the map owes to the radio is the distance to these");
@@ -268,6 +208,12 @@ void addEvaluateCommand(CLI::App& sfw) {
   command->add_option(
       "--picture", options->picture,
       "PNG to write: the map laid over the truth, walls found, missed, called free");
+  command->add_option("--panels", options->panels,
+                      "PNG to write: the truth, the maps of --beside, the path alone and the map, "
+                      "side by side");
+  command->add_option("--title", options->title, "of the map among the panels")
+      ->capture_default_str();
+  command->add_flag("--no-legend", options->no_legend, "leave it out below the panels");
   command->add_flag("--json", options->json, "Print one JSON object instead of a table");
   command->callback([options] { runEvaluate(*options); });
 }

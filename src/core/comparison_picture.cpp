@@ -24,6 +24,8 @@ constexpr Meaning kMeanings[] = {{Verdict::kFreeFound, {1.0, 1.0, 1.0}, "free"},
                                  {Verdict::kWallLost, {0.85, 0.10, 0.10}, "wall taken for free"},
                                  {Verdict::kWallFalse, {0.95, 0.60, 0.10}, "wall where free"}};
 constexpr Colour kPath{0.55, 0.45, 0.75};
+constexpr Colour kPanelPath{0.20, 0.50, 0.90};  // where it is not drawn over colours
+constexpr Colour kTrueWall{0.93, 0.55, 0.50};
 
 /// The map's states on the truth's cells.
 Grid<CellState> onCellsOf(const GridGeometry& geometry, const Grid<CellState>& map) {
@@ -103,6 +105,20 @@ Box shownArea(const EvaluationInput& input) {
   return {area.min().array() - kAir, area.max().array() + kAir};
 }
 
+void fillState(const Grid<CellState>& states, CellState wanted, const Colour& colour,
+               Canvas& canvas) {
+  canvas.fillCells(states.geometry, colour, [&](Cell c) { return states[c] == wanted; });
+}
+
+void drawMarks(const EvaluationInput& input, const Colour& path, Canvas& canvas) {
+  for (const Position& pose : input.path) {
+    canvas.drawDot(pose, path);
+  }
+  for (const Position& access_point : input.access_points) {
+    canvas.drawAccessPoint(access_point, "");
+  }
+}
+
 }  // namespace
 
 std::string renderComparison(const EvaluationInput& input) {
@@ -116,13 +132,35 @@ std::string renderComparison(const EvaluationInput& input) {
     });
     legend.push_back({meaning.colour, meaning.text});
   }
-  for (const Position& pose : input.path) {
-    canvas.drawDot(pose, kPath);
-  }
-  for (const Position& access_point : input.access_points) {
-    canvas.drawAccessPoint(access_point, "");
-  }
+  drawMarks(input, kPath, canvas);
   canvas.drawFooter("", legend);
+  return canvas.png();
+}
+
+std::string renderPanels(const EvaluationInput& input, const std::string& truth_note,
+                         const std::vector<MapPanel>& maps, bool with_legend) {
+  Canvas canvas(shownArea(input), static_cast<int>(maps.size()) + 1);
+  canvas.beginPanel(0, "truth", truth_note);
+  fillState(input.truth, CellState::kFree, Canvas::kFree, canvas);
+  fillState(input.truth, CellState::kOccupied, Canvas::kOccupied, canvas);
+  drawMarks(input, kPanelPath, canvas);
+  canvas.endPanel();
+  int panel = 0;
+  for (const MapPanel& shown : maps) {
+    canvas.beginPanel(++panel, shown.title, shown.note);
+    fillState(shown.map, CellState::kFree, Canvas::kFree, canvas);
+    fillState(input.truth, CellState::kOccupied, kTrueWall, canvas);
+    fillState(shown.map, CellState::kOccupied, Canvas::kOccupied, canvas);
+    canvas.endPanel();
+  }
+  canvas.drawFooter("", with_legend
+                            ? std::vector<LegendEntry>{{Canvas::kFree, "free"},
+                                                       {Canvas::kOccupied, "wall"},
+                                                       {Canvas::kUnknown, "unknown"},
+                                                       {kTrueWall, "true wall, not drawn"},
+                                                       {kPanelPath, "path", true},
+                                                       {Canvas::kAccessPoint, "access point", true}}
+                            : std::vector<LegendEntry>{});
   return canvas.png();
 }
 

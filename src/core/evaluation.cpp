@@ -265,4 +265,13 @@ Evaluation evaluate(const EvaluationInput& input) {
   return evaluation;
 }
 
+Grid<CellState> pathOnlyMap(const EvaluationInput& input) {
+  const Mask free = pathOnlyFree(makeEvaluationTruth(input.truth, input.path, {}).path);
+  Grid<CellState> map(free.geometry, CellState::kUnknown);
+  for (std::size_t i = 0; i < free.cells.size(); ++i) {
+    map.cells[i] = free.cells[i] != 0 ? CellState::kFree : CellState::kUnknown;
+  }
+  return map;
+}
+
 }  // namespace sfw

@@ -97,6 +97,16 @@ TEST(Evaluate, PathOnlyIsThePathGrown) {
   EXPECT_FALSE(evaluation.path_only.probability);
 }
 
+TEST(Evaluate, PathOnlyMapIsTheOneJudged) {
+  EvaluationInput judged = rooms();
+  const Evaluation evaluation = evaluate(judged);
+  judged.map = pathOnlyMap(judged);
+  const MapFigures figures = evaluate(judged).map;
+  EXPECT_EQ(figures.free.precision, evaluation.path_only.free.precision);
+  EXPECT_EQ(figures.free.iou, evaluation.path_only.free.iou);
+  EXPECT_EQ(figures.leak, evaluation.path_only.leak);
+}
+
 TEST(Evaluate, PathOnlyFillsALoop) {
   const Rows open(40, std::string(40, '.'));
   std::vector<Position> loop = {at(5, 5),   at(20, 5), at(34, 5), at(34, 20), at(34, 34),
