@@ -16,4 +16,9 @@ Grid<CellState> readMap(const std::string& yaml_file);
 /// As readMap, but each pixel's probability of being occupied in [0, 1].
 Grid<float> readProbabilities(const std::string& yaml_file);
 
+/// Reads losses of signals [dB] as the mapper writes them (wallLossYaml): a pixel's value times the
+/// file's `decibels_per_step`.
+/// @throw InputError as readMap, and if that key is missing or not a positive number
+Grid<float> readWallLoss(const std::string& yaml_file);
+
 }  // namespace sfw

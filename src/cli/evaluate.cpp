@@ -135,9 +135,10 @@ void runEvaluate(const EvaluateOptions& options) {
   }
   const std::vector<Reading> readings = readWithWarnings(options.readings);
   EvaluationInput input{readMap(options.map), readMap(options.truth), {}, {}, {}};
-  input.probabilities = options.probability.empty() ? readBeside(options.map, "probability.yaml")
-                                                    : readProbabilities(options.probability);
-  input.wall_loss = readBeside(options.map, "wall_loss.yaml");
+  readBeside(options.map, input);
+  if (!options.probability.empty()) {
+    input.probabilities = readProbabilities(options.probability);
+  }
   for (const Reading& reading : readings) {
     input.path.push_back(reading.antenna_in_map);
   }

@@ -25,10 +25,16 @@ std::string noteOf(const MapFigures& figures) {
 
 }  // namespace
 
-std::optional<Grid<float>> readBeside(const std::string& map, const char* name) {
-  const std::filesystem::path beside = std::filesystem::path(map).parent_path() / name;
-  return std::filesystem::exists(beside) ? std::optional(readProbabilities(beside.string()))
-                                         : std::nullopt;
+void readBeside(const std::string& map, EvaluationInput& input) {
+  const std::filesystem::path folder = std::filesystem::path(map).parent_path();
+  const std::filesystem::path probability = folder / "probability.yaml";
+  const std::filesystem::path wall_loss = folder / "wall_loss.yaml";
+  input.probabilities = std::filesystem::exists(probability)
+                            ? std::optional(readProbabilities(probability.string()))
+                            : std::nullopt;
+  input.wall_loss = std::filesystem::exists(wall_loss)
+                        ? std::optional(readWallLoss(wall_loss.string()))
+                        : std::nullopt;
 }
 
 JudgedMap judgeMap(const std::string& title_and_file, EvaluationInput input) {
@@ -38,8 +44,7 @@ JudgedMap judgeMap(const std::string& title_and_file, EvaluationInput input) {
   }
   const std::string file = title_and_file.substr(equals + 1);
   input.map = readMap(file);
-  input.probabilities = readBeside(file, "probability.yaml");
-  input.wall_loss = readBeside(file, "wall_loss.yaml");
+  readBeside(file, input);
   const MapFigures figures = evaluate(input).map;
   return {title_and_file.substr(0, equals), std::move(input.map), figures};
 }

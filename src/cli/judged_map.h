@@ -15,8 +15,9 @@ struct JudgedMap {
   MapFigures figures;
 };
 
-/// A raster that the mapper writes beside the map (map_server yaml, mode scale), if it is there.
-std::optional<Grid<float>> readBeside(const std::string& map, const char* name);
+/// Adds the probabilities and wall losses that the mapper writes beside a map, where they are.
+/// @throw InputError as readProbabilities and readWallLoss
+void readBeside(const std::string& map, EvaluationInput& input);
 
 /// Reads the map of "TITLE=FILE", and what the mapper wrote beside it, and judges it.
 /// @param input  with the truth and the path; its map is replaced

@@ -2,6 +2,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "pgm.h"
@@ -18,6 +19,7 @@ struct MapFile {
   bool negate;
   double occupied_threshold;
   double free_threshold;
+  double decibels_per_step;  // 0 if the file does not say
 
   double occupied(Cell c) const {
     const auto row = image.height - 1 - c.y;
@@ -51,8 +53,12 @@ MapFile parseMapFile(const std::string& yaml_file) {
   GreyImage image = readPgm((folder / yaml["image"].as<std::string>()).string());
   const GridGeometry geometry(yaml["resolution"].as<double>(), {origin[0], origin[1]}, image.width,
                               image.height);
-  MapFile map{geometry, std::move(image), numberOr(yaml, "negate", 0.0) != 0.0,
-              numberOr(yaml, "occupied_thresh", 0.65), numberOr(yaml, "free_thresh", 0.196)};
+  MapFile map{geometry,
+              std::move(image),
+              numberOr(yaml, "negate", 0.0) != 0.0,
+              numberOr(yaml, "occupied_thresh", 0.65),
+              numberOr(yaml, "free_thresh", 0.196),
+              numberOr(yaml, "decibels_per_step", 0.0)};
   requireUnderstood(yaml_file, map, yaml["mode"] ? yaml["mode"].as<std::string>() : "trinary");
   return map;
 }
@@ -96,6 +102,16 @@ Grid<CellState> readMap(const std::string& yaml_file) {
 Grid<float> readProbabilities(const std::string& yaml_file) {
   return converted<float>(
       yaml_file, [](const MapFile& file, Cell c) { return static_cast<float>(file.occupied(c)); });
+}
+
+Grid<float> readWallLoss(const std::string& yaml_file) {
+  return converted<float>(yaml_file, [&](const MapFile& file, Cell c) {
+    if (!(file.decibels_per_step > 0.0 && std::isfinite(file.decibels_per_step))) {
+      throw InputError(yaml_file + ": 'decibels_per_step' must be a positive number");
+    }
+    constexpr double kSteps = 255.0;
+    return static_cast<float>(kSteps * file.occupied(c) * file.decibels_per_step);
+  });
 }
 
 }  // namespace sfw
