@@ -144,6 +144,26 @@ TEST(Judge, JudgesAFewAtATime) {
   EXPECT_EQ(judgedIn(allJudged(mapper)), 6);
 }
 
+TEST(Judge, NotesDriftInTheReport) {
+  const std::vector<Reading> readings = hallDrive();
+  for (const double drift_m : {0.0, 3.0}) {
+    Mapper mapper = mapperOf({test::accessPoint(1, kFirst.x(), kFirst.y())});
+    for (Reading reading : readings) {  // twice over, as if the second drive had drifted
+      mapper.insert(reading);
+      reading.stamp_ns += 1000000000000;
+      reading.antenna_in_map.x() += drift_m;
+      mapper.insert(reading);
+    }
+    const Snapshot snapshot = allJudged(mapper);
+    ASSERT_TRUE(snapshot.drift);
+    EXPECT_EQ(snapshot.drift->suspect, drift_m > 0.0) << snapshot.drift->ratio;
+    const std::string report = reportJson(snapshot, Config());
+    EXPECT_EQ(report.find(kDriftNote) != std::string::npos, drift_m > 0.0);
+  }
+  Mapper once = mapperOf({test::accessPoint(1, kFirst.x(), kFirst.y())});
+  EXPECT_FALSE(allJudged(once).drift);
+}
+
 TEST(Judge, StopsWhenAsked) {
   Mapper mapper = mapperOf({test::accessPoint(1, kFirst.x(), kFirst.y())});
   const std::vector<Reading> readings = hallDrive();
