@@ -13,6 +13,7 @@
 #include "structure_from_wifi/belief_model.h"
 #include "structure_from_wifi/building_frame.h"
 #include "structure_from_wifi/config.h"
+#include "structure_from_wifi/drift.h"
 #include "structure_from_wifi/inference.h"
 #include "structure_from_wifi/odometry_anchor.h"
 #include "structure_from_wifi/rssi.h"
@@ -53,7 +54,7 @@ struct AccessPointSummary {
   /// With neither, it could not be placed, and its readings count as path alone.
   std::optional<AccessPointEstimate> estimate = {};
 
-  /// How well its readings fit the table's position, after Mapper::judge.
+  /// How well its readings fit the table's position, once a Judge looked at it.
   std::optional<AccessPointFit> fit = {};
 };
 
@@ -83,6 +84,7 @@ struct Snapshot {
   std::vector<AccessPointSummary> access_points;  ///< in the order of the table
   Rejections rejections;
   std::optional<TomographySummary> tomography = {};  ///< of method tomography
+  std::optional<DriftCheck> drift = {};              ///< once a Judge looked for it
 };
 
 /// From readings to the map: collects, then infers everything at once.
@@ -130,9 +132,8 @@ class Mapper {
   /// The map without any signal strength: a control that tells what the radio adds.
   std::shared_ptr<const Snapshot> inferWithoutRadio() const;
 
-  /// Compares each access point's given position with its readings (accessPointFit): moved ones and
-  /// mistyped positions become suspect. Costs some 50 ms for each.
-  void judge(Snapshot& snapshot) const;
+  /// What was heard of each access point of the table, in the order of stamps.
+  std::vector<std::vector<Sample>> samples() const;
 
  private:
   enum class Hearing { kSignals, kNothing };

@@ -9,6 +9,7 @@
 #include "commands.h"
 #include "structure_from_wifi/config_reader.h"
 #include "structure_from_wifi/input_error.h"
+#include "structure_from_wifi/judge.h"
 #include "structure_from_wifi/map_files.h"
 #include "structure_from_wifi/mapper.h"
 #include "warnings.h"
@@ -120,9 +121,12 @@ void run(const MapOptions& options) {
                      " can be used; see the warnings above");
   }
   Snapshot judged = *snapshot;
-  mapper.judge(judged);
+  Judge().judgeAll(mapper, judged);
   for (const AccessPointSummary& summary : judged.access_points) {
     reportAccessPoint(options.access_points, summary);
+  }
+  if (judged.drift && judged.drift->suspect) {
+    warn(source + ": " + kDriftNote);
   }
   writeMapFiles(judged, config, options.output);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -15,6 +16,8 @@ constexpr double kBin = 0.4;  // [m]
 constexpr std::size_t kFewestBins = 12;
 constexpr std::size_t kMostBins = 300;
 constexpr double kLeastSpread = 1.0;  // [dB]; less is rounding, not distance
+
+constexpr double kLeastNoise = 0.1;  // [dB2]
 
 constexpr double kMargin = 8.0;  // [m], of the search beyond the path
 constexpr double kCoarseCell = 0.5;
@@ -34,6 +37,23 @@ constexpr double kAmbiguous = 3.0;
 constexpr double kSuspectRatio = 6.0;
 constexpr double kSuspectDistance = 1.5;  // [m]
 
+/// Variance of a reading about its bin's mean. Successive readings would tell it too, but the order
+/// in which they came must not matter.
+double noiseOf(const std::vector<Sample>& samples, const std::vector<RadioBin>& bins) {
+  constexpr double kUsual = 9.0;          // [dB2]
+  constexpr double kReadings = 2.0;       // that the usual noise counts as
+  constexpr double kUsualSignal = -60.0;  // [dBm], taken off first: squares of large numbers round
+  double sum = kReadings * kUsual;
+  for (const Sample& sample : samples) {
+    sum += (sample.rssi_dbm - kUsualSignal) * (sample.rssi_dbm - kUsualSignal);
+  }
+  for (const RadioBin& bin : bins) {
+    sum -= bin.readings * (bin.rssi_dbm - kUsualSignal) * (bin.rssi_dbm - kUsualSignal);
+  }
+  const double freedom = static_cast<double>(samples.size() - bins.size()) + kReadings;
+  return std::max(kLeastNoise, sum / freedom);
+}
+
 /// Bins of a size that keeps them few.
 HeardAccessPoint thinned(std::vector<Sample> samples, std::optional<double> height_m) {
   std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) {
@@ -51,6 +71,7 @@ HeardAccessPoint thinned(std::vector<Sample> samples, std::optional<double> heig
     heard = binned(samples, beyond, height_m, BuildingFrame(), bin);
     bin *= 1.25;
   } while (heard.bins.size() > kMostBins);
+  heard.noise_db2 = noiseOf(samples, heard.bins);
   return heard;
 }
 
@@ -75,13 +96,19 @@ struct Patch {
 
 bool likelier(const Patch& a, const Patch& b) { return a.log_likelihood > b.log_likelihood; }
 
-std::vector<Patch> coarsePatches(AccessPointLikelihood& likelihood) {
+Box searched(const std::vector<RadioBin>& bins) {
+  const Position margin(kMargin, kMargin);
   Box box;
-  for (const RadioBin& bin : likelihood.heard().bins) {
+  for (const RadioBin& bin : bins) {
     box.extend(bin.place);
   }
-  const Position low = box.min() - Position(kMargin, kMargin);
-  const Position size = box.max() + Position(kMargin, kMargin) - low;
+  return {box.min() - margin, box.max() + margin};
+}
+
+std::vector<Patch> coarsePatches(AccessPointLikelihood& likelihood) {
+  const Box box = searched(likelihood.heard().bins);
+  const Position low = box.min();
+  const Position size = box.sizes();
   const double edge = std::max(kCoarseCell, std::sqrt(size.prod() / kMostCoarseCells));
   std::vector<Patch> patches;
   for (double y = low.y() + 0.5 * edge; y < low.y() + size.y(); y += edge) {
@@ -169,13 +196,53 @@ std::optional<AccessPointEstimate> search(AccessPointLikelihood& likelihood) {
   return estimate;
 }
 
+/// Some places all over the area that is searched.
+std::vector<Position> somePlaces(const Box& box) {
+  constexpr int kEachWay = 10;
+  std::vector<Position> places;
+  for (int y = 0; y < kEachWay; ++y) {
+    for (int x = 0; x < kEachWay; ++x) {
+      const Position share((x + 0.5) / kEachWay, (y + 0.5) / kEachWay);
+      places.push_back(box.min() + box.sizes().cwiseProduct(share));
+    }
+  }
+  return places;
+}
+
+/// The likelihood with the shadowing that explains the signals best, with the access point at the
+/// best of some places: how strong it is and how far it reaches differs from building to building,
+/// and so does what signals can tell.
+AccessPointLikelihood likeliest(const HeardAccessPoint& heard) {
+  constexpr double kUsual = 5.0;   // [dB]
+  constexpr double kFactor = 0.5;  // deviation of its logarithm
+  const std::vector<Position> places = somePlaces(searched(heard.bins));
+  std::optional<AccessPointLikelihood> best;
+  double most = -std::numeric_limits<double>::infinity();
+  for (const double distance : {1.5, 4.0}) {
+    for (const double deviation : {1.0, 2.0, 3.0, 4.0, 5.5, 7.5}) {
+      AccessPointLikelihood likelihood(heard, {deviation, distance});
+      double evidence = -std::numeric_limits<double>::infinity();
+      for (const Position& place : places) {
+        evidence = std::max(evidence, likelihood.at(place));
+      }
+      const double unusual = std::log(deviation / kUsual) / kFactor;
+      evidence -= 0.5 * unusual * unusual;
+      if (evidence > most) {
+        most = evidence;
+        best.emplace(std::move(likelihood));
+      }
+    }
+  }
+  return std::move(*best);
+}
+
 std::optional<AccessPointLikelihood> likelihoodOf(const std::vector<Sample>& samples,
                                                   std::optional<double> height_m) {
   HeardAccessPoint heard = thinned(samples, height_m);
   if (heard.bins.size() < kFewestBins || spreadOf(heard.bins) < kLeastSpread) {
     return std::nullopt;
   }
-  return AccessPointLikelihood(std::move(heard));
+  return likeliest(heard);
 }
 
 }  // namespace

@@ -12,15 +12,22 @@ namespace sfw {
 /// loss and pattern (doc/algorithm.md).
 class AccessPointLikelihood {
  public:
-  /// Power, exponent, loss for each metre, and the first harmonic of the access point's pattern: an
-  /// antenna that favours one side looks as if it stood nearer to it.
-  static constexpr int kTerms = 5;
+  /// Power, exponent, loss for each metre, and the first and second harmonic of bearing: an antenna
+  /// that favours one side looks as if it stood nearer to it, and so does one with a wall at its
+  /// back or in a corridor.
+  static constexpr int kTerms = 7;
   using Basis = Eigen::Matrix<double, Eigen::Dynamic, kTerms, Eigen::RowMajor>;
 
-  /// @param heard  its position is not looked at
-  explicit AccessPointLikelihood(HeardAccessPoint heard);
+  /// What shadows signals where no wall is modelled: how strongly, and how far along.
+  struct Shadowing {
+    double deviation_db;
+    double distance_m;
+  };
 
-  /// Logarithm, up to a constant. O(bins).
+  /// @param heard  its position is not looked at
+  AccessPointLikelihood(HeardAccessPoint heard, const Shadowing& shadowing);
+
+  /// Logarithm, up to a constant that is the same for all places and shadowings. O(bins).
   double at(const Position& place) const;
 
   /// Root mean square of the signals to the law fitted for that place [dB].
@@ -34,6 +41,7 @@ class AccessPointLikelihood {
 
   HeardAccessPoint heard_;
   ShadowingWhitener whitener_;
+  double log_determinant_;  // of the factor of the inverse covariance
   Eigen::VectorXd signals_;
   Eigen::VectorXd white_signals_;
 };

@@ -117,6 +117,14 @@ ordered_json describe(const Rejections& rejections) {
   return json;
 }
 
+ordered_json describe(const DriftCheck& drift) {
+  ordered_json json{{"ratio", drift.ratio}, {"returns", drift.returns}, {"suspect", drift.suspect}};
+  if (drift.suspect) {
+    json["note"] = kDriftNote;
+  }
+  return json;
+}
+
 /// Area [m2] of the cells in each state.
 ordered_json describe(const BeliefMap& belief) {
   const GridGeometry& geometry = belief.geometry();
@@ -230,6 +238,9 @@ std::string reportJson(const Snapshot& snapshot, const Config& config) {
   report["method"] = config.method;
   report["map"] = describe(snapshot.belief);
   report["path"] = {{"poses", snapshot.path.size()}, {"length_m", length_m}};
+  if (snapshot.drift) {
+    report["drift"] = describe(*snapshot.drift);
+  }
   report["access_points"] = ordered_json::array();
   for (const AccessPointSummary& summary : snapshot.access_points) {
     report["access_points"].push_back(describe(summary));

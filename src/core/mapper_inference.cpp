@@ -121,15 +121,12 @@ std::vector<AccessPointSummary> Mapper::placed(std::vector<Series>& heard) const
   return summaries;
 }
 
-void Mapper::judge(Snapshot& snapshot) const {
-  const std::vector<Series> heard = seriesOf(readings());
-  for (std::size_t i = 0; i < heard.size(); ++i) {
-    const AccessPoint& access_point = access_points_[i];
-    if (access_point.position_known) {
-      snapshot.access_points[i].fit =
-          accessPointFit(samplesOf(heard[i]), access_point.position, access_point.height_m);
-    }
+std::vector<std::vector<Sample>> Mapper::samples() const {
+  std::vector<std::vector<Sample>> samples;
+  for (const Series& series : seriesOf(readings())) {
+    samples.push_back(samplesOf(series));
   }
+  return samples;
 }
 
 void Mapper::inferByCounts(std::vector<Series>& heard, Hearing hearing,

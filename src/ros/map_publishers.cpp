@@ -6,6 +6,7 @@
 #include <structure_from_wifi/AccessPoints.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include "markers.h"
 #include "message_conversion.h"
 #include "structure_from_wifi/octomap_export.h"
 

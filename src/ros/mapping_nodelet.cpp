@@ -184,15 +184,20 @@ void MappingNodelet::stepMapping() {
                       OdometryAnchor::isJump(*mapped_by_, *latest, jumpTolerance(config_.ros));
   if (changed_ || jumped) {
     next_publication_ = ros::SteadyTime::now() + ros::WallDuration(1.0 / config_.ros.publish_rate);
-    publishMap();
+    publishMap(Judging::kWhatChanged);
   }
 }
 
-MappingNodelet::Mapping MappingNodelet::publishMap() {
+MappingNodelet::Mapping MappingNodelet::publishMap(Judging judging) {
   changed_ = false;  // before the copy: what comes after it is for the next map
   mapped_by_ = latestFix(config_.ros, *transforms_);
   Mapping mapping{mapper_->corrected(mapped_by_), nullptr};
-  mapping.snapshot = mapping.copy.mapper.infer(stop_);
+  if (const std::shared_ptr<const Snapshot> inferred = mapping.copy.mapper.infer(stop_)) {
+    const auto judged = std::make_shared<Snapshot>(*inferred);
+    judging == Judging::kAll ? judge_.judgeAll(mapping.copy.mapper, *judged, stop_)
+                             : judge_.judgeChanged(mapping.copy.mapper, *judged, stop_);
+    mapping.snapshot = stop_ ? nullptr : judged;
+  }
   const std::lock_guard<std::mutex> lock(publishing_);
   if (mapping.snapshot && mapping.copy.resets == mapper_->resets()) {
     publishers_->publish(mapping.snapshot);

@@ -27,6 +27,7 @@
 #include "observation_queue.h"
 #include "shared_mapper.h"
 #include "structure_from_wifi/config.h"
+#include "structure_from_wifi/judge.h"
 #include "structure_from_wifi/mapper.h"
 
 namespace sfw {
@@ -74,8 +75,9 @@ class MappingNodelet : public nodelet::Nodelet {
     SharedMapper::Copy copy;
     std::shared_ptr<const Snapshot> snapshot;  ///< nullptr if stopped meanwhile
   };
-  /// Makes a map and publishes it, unless a reset came in between.
-  Mapping publishMap();
+  enum class Judging { kWhatChanged, kAll };
+  /// Makes a map, judges what it was made from, and publishes it unless a reset came in between.
+  Mapping publishMap(Judging judging);
   bool serveOctomap(bool binary, octomap_msgs::GetOctomap::Response& response);
   bool saveMap(const structure_from_wifi::SaveMap::Request& request,
                structure_from_wifi::SaveMap::Response& response);
@@ -101,6 +103,7 @@ class MappingNodelet : public nodelet::Nodelet {
   std::mutex publishing_;  // held while a map is published; a reset is one step to it
   ros::Time last_now_;
   ros::SteadyTime next_publication_;
+  Judge judge_;                       // in the mapping thread
   std::optional<Fix> mapped_by_;      // the last that tf said when a map was made
   std::atomic<bool> changed_{false};  // since the last map was made
   std::atomic<bool> stop_{false};

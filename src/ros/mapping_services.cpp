@@ -88,10 +88,13 @@ bool MappingNodelet::saveMap(const structure_from_wifi::SaveMap::Request& reques
   const std::string directory = withHome(config_.ros.save_directory) + "/" + request.directory;
   try {
     placeObservations();
-    const Mapping mapping = publishMap();
+    const Mapping mapping = publishMap(Judging::kAll);
     if (!mapping.snapshot) {
       response.message = "mapping is shutting down";
       return true;
+    }
+    if (mapping.snapshot->drift && mapping.snapshot->drift->suspect) {
+      NODELET_WARN_STREAM_ONCE(getName() << ": " << kDriftNote);
     }
     const Mapper& mapper = mapping.copy.mapper;
     writeRecording(mapper.readings(), mapper.contacts(), *mapping.snapshot, directory);

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "structure_from_wifi/map_picture.h"
 #include "structure_from_wifi/octomap_export.h"
 
 namespace sfw {
@@ -45,101 +44,6 @@ nav_msgs::OccupancyGrid toGrid(const GridGeometry& geometry, const std_msgs::Hea
   return message;
 }
 
-std_msgs::ColorRGBA toColour(const Colour& colour) {
-  std_msgs::ColorRGBA message;
-  message.r = static_cast<float>(colour[0]);
-  message.g = static_cast<float>(colour[1]);
-  message.b = static_cast<float>(colour[2]);
-  message.a = 1.0F;
-  return message;
-}
-
-geometry_msgs::Point toPoint(const Position& position, double z) {
-  geometry_msgs::Point point;
-  point.x = position.x();
-  point.y = position.y();
-  point.z = z;
-  return point;
-}
-
-visualization_msgs::Marker marker(const std_msgs::Header& header, const char* name, int id,
-                                  int type, double size, const Colour& colour) {
-  visualization_msgs::Marker message;
-  message.header = header;
-  message.ns = name;
-  message.id = id;
-  message.type = type;
-  message.pose.orientation.w = 1.0;
-  message.scale.x = message.scale.y = message.scale.z = size;
-  message.color = toColour(colour);
-  return message;
-}
-
-visualization_msgs::Marker label(const std_msgs::Header& header, const char* name, int id,
-                                 const std::string& text, const geometry_msgs::Point& at,
-                                 const Colour& colour) {
-  constexpr double kLetterHeight = 0.3;  // [m]
-  visualization_msgs::Marker message =
-      marker(header, name, id, visualization_msgs::Marker::TEXT_VIEW_FACING, kLetterHeight, colour);
-  message.text = text;
-  message.pose.position = at;
-  return message;
-}
-
-visualization_msgs::Marker pathMarker(const Snapshot& snapshot, const std_msgs::Header& header) {
-  constexpr double kDot = 0.08;  // [m]
-  constexpr double kAboveMap = 0.03;
-  visualization_msgs::Marker dots =
-      marker(header, "path", 0, visualization_msgs::Marker::SPHERE_LIST, kDot, {1.0, 1.0, 1.0});
-  for (const PathPose& pose : snapshot.path) {
-    dots.points.push_back(toPoint(pose.antenna_in_map, kAboveMap));
-    dots.colors.push_back(toColour(wallCountColour(pose.walls)));
-  }
-  return dots;
-}
-
-void addAccessPoints(const Snapshot& snapshot, const std_msgs::Header& header,
-                     visualization_msgs::MarkerArray& markers) {
-  constexpr double kBall = 0.3;                // [m]
-  constexpr double kUsualHeight = 1.0;         // [m], where the table gives none
-  constexpr Colour kViolet{0.75, 0.20, 0.90};  // legible on free and occupied cells alike
-  for (std::size_t i = 0; i < snapshot.access_points.size(); ++i) {
-    if (!isPlaced(snapshot.access_points[i])) {
-      continue;
-    }
-    const AccessPoint& access_point = snapshot.access_points[i].access_point;
-    const double height = access_point.height_m.value_or(kUsualHeight);
-    const int id = static_cast<int>(i);
-    visualization_msgs::Marker ball =
-        marker(header, "access_points", id, visualization_msgs::Marker::SPHERE, kBall, kViolet);
-    ball.pose.position = toPoint(access_point.position, height);
-    markers.markers.push_back(ball);
-    const bool shares_place =
-        i > 0 && snapshot.access_points[i - 1].access_point.position == access_point.position;
-    if (!shares_place) {  // radios of one router: one name is enough
-      markers.markers.push_back(
-          label(header, "names", id,
-                access_point.name.empty() ? access_point.bssid.str() : access_point.name,
-                toPoint(access_point.position + Position(0.0, 0.4), height + kBall), kViolet));
-    }
-  }
-}
-
-void addLegend(const Snapshot& snapshot, const std_msgs::Header& header,
-               visualization_msgs::MarkerArray& markers) {
-  int most = -1;
-  Box area;
-  for (const PathPose& pose : snapshot.path) {
-    most = std::max(most, pose.walls);
-    area.extend(pose.antenna_in_map);
-  }
-  for (int walls = 0; walls <= most; ++walls) {
-    const Position at(area.min().x() + 1.1 * walls, area.min().y() - 1.0);
-    markers.markers.push_back(label(header, "legend", walls, "k = " + std::to_string(walls),
-                                    toPoint(at, 0.1), wallCountColour(walls)));
-  }
-}
-
 /// As the table gives it, exactly there, or as estimated; nowhere (NaN) if it could not be placed.
 structure_from_wifi::AccessPoint toMessage(const AccessPointSummary& summary) {
   const AccessPoint& access_point = summary.access_point;
@@ -155,8 +59,14 @@ structure_from_wifi::AccessPoint toMessage(const AccessPointSummary& summary) {
     message.position.x = message.position.y = std::numeric_limits<double>::quiet_NaN();
   }
   message.readings = static_cast<std::uint32_t>(summary.readings);
-  message.fit_db = summary.fit ? static_cast<float>(summary.fit->residual_db)
-                               : std::numeric_limits<float>::quiet_NaN();
+  constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+  message.fit_db = kNone;
+  message.seems_to_stand_at = toPoint(Position(kNone, kNone), message.position.z);
+  if (summary.fit) {
+    message.fit_db = static_cast<float>(summary.fit->residual_db);
+    message.suspect = summary.fit->suspect ? 1 : 0;
+    message.seems_to_stand_at = toPoint(summary.fit->estimate.position, message.position.z);
+  }
   return message;
 }
 
@@ -172,6 +82,14 @@ octomap_msgs::Octomap toOctomap(const octomap::OcTree& tree, const std_msgs::Hea
 }
 
 }  // namespace
+
+geometry_msgs::Point toPoint(const Position& position, double z) {
+  geometry_msgs::Point point;
+  point.x = position.x();
+  point.y = position.y();
+  point.z = z;
+  return point;
+}
 
 nav_msgs::MapMetaData toMetaData(const GridGeometry& geometry, const ros::Time& load_time) {
   nav_msgs::MapMetaData info;
@@ -212,21 +130,6 @@ nav_msgs::Path toPath(const Snapshot& snapshot, const std_msgs::Header& header) 
     path.poses.push_back(stamped);
   }
   return path;
-}
-
-visualization_msgs::MarkerArray toMarkers(const Snapshot& snapshot,
-                                          const std_msgs::Header& header) {
-  visualization_msgs::MarkerArray markers;
-  visualization_msgs::Marker clear;
-  clear.header = header;
-  clear.action = visualization_msgs::Marker::DELETEALL;
-  markers.markers.push_back(clear);
-  if (!snapshot.path.empty()) {
-    markers.markers.push_back(pathMarker(snapshot, header));
-  }
-  addAccessPoints(snapshot, header, markers);
-  addLegend(snapshot, header, markers);
-  return markers;
 }
 
 structure_from_wifi::AccessPoints toAccessPoints(const Snapshot& snapshot,

@@ -1,11 +1,11 @@
 #pragma once
 
+#include <geometry_msgs/Point.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <nav_msgs/Path.h>
 #include <octomap_msgs/Octomap.h>
 #include <std_msgs/Header.h>
 #include <structure_from_wifi/AccessPoints.h>
-#include <visualization_msgs/MarkerArray.h>
 
 #include "structure_from_wifi/config.h"
 #include "structure_from_wifi/grid_geometry.h"
@@ -16,6 +16,8 @@ class OcTree;
 }
 
 namespace sfw {
+
+geometry_msgs::Point toPoint(const Position& position, double z);
 
 /// Extent of a grid, unrotated.
 nav_msgs::MapMetaData toMetaData(const GridGeometry& geometry, const ros::Time& load_time);
@@ -29,9 +31,6 @@ nav_msgs::OccupancyGrid toTrinaryGrid(const Grid<CellState>& states,
 nav_msgs::OccupancyGrid toProbabilityGrid(const BeliefMap& belief, const std_msgs::Header& header);
 
 nav_msgs::Path toPath(const Snapshot& snapshot, const std_msgs::Header& header);
-
-/// Access points with their names, the path coloured by wall count, and the colours' legend.
-visualization_msgs::MarkerArray toMarkers(const Snapshot& snapshot, const std_msgs::Header& header);
 
 structure_from_wifi::AccessPoints toAccessPoints(const Snapshot& snapshot,
                                                  const std_msgs::Header& header);

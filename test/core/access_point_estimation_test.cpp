@@ -10,6 +10,7 @@
 #include "recorded_readings.h"
 #include "structure_from_wifi/plan_io.h"
 #include "structure_from_wifi/random.h"
+#include "structure_from_wifi/random_field.h"
 #include "structure_from_wifi/scenario.h"
 
 namespace sfw {
@@ -115,6 +116,35 @@ TEST(AccessPointEstimation, UsesAKnownHeight) {
   EXPECT_LT((known->position - truth).norm(), (unknown->position - truth).norm());
 }
 
+/// Signals of a hall with shadows: a random field that many neighbouring readings share.
+std::vector<Sample> shadowed(std::vector<Sample> samples, double shadowing_db, double distance_m) {
+  const RandomField field(RandomField::Kind::kRough, distance_m, 11, 12);
+  for (Sample& sample : samples) {
+    sample.rssi_dbm += shadowing_db * field.at(sample.antenna_in_map);
+  }
+  return samples;
+}
+
+TEST(AccessPointEstimation, KnowsLessWhereShadowsAreStrong) {
+  const Position truth(5.0, 2.2);
+  double last = 0.0;
+  for (const double shadowing_db : {0.0, 2.0, 6.0}) {
+    const auto estimate = estimateAccessPoint(shadowed(hallDrive(truth), shadowing_db, 1.5));
+    ASSERT_TRUE(estimate);
+    const Position error = estimate->position - truth;
+    EXPECT_LT(error.dot(estimate->covariance.inverse() * error), 9.0) << shadowing_db;
+    EXPECT_GT(estimate->covariance.trace(), 1.2 * last) << shadowing_db;
+    last = estimate->covariance.trace();
+  }
+}
+
+TEST(AccessPointFit, NeedsReadings) {
+  EXPECT_FALSE(accessPointFit({}, Position::Zero()));
+  EXPECT_FALSE(accessPointFit({{Position(1.0, 2.0), -50.0}}, Position::Zero()));
+  EXPECT_FALSE(accessPointFit(std::vector<Sample>(1000, {Position(1.0, 2.0), -50.0}),
+                              Position::Zero(), 2.0));
+}
+
 TEST(AccessPointFit, TrustsTheRightPlaceAndSuspectsOthers) {
   const Position truth(5.0, 2.2);
   const std::vector<Sample> samples = hallDrive(truth);
@@ -179,6 +209,30 @@ TEST(AccessPointEstimation, IsGoodAtARealHome) {
       }
     }
   }
+}
+
+TEST(AccessPointFit, CovariancesHoldOnRealRecordings) {
+  const std::vector<test::RealRecording> recordings = test::realRecordings();
+  if (recordings.empty()) {
+    GTEST_SKIP() << test::kNoRecordings;
+  }
+  double sum = 0.0;
+  int count = 0;
+  for (const test::RealRecording& recording : recordings) {
+    auto samples = test::samplesByRadio(recording.readings);
+    for (const AccessPoint& access_point : recording.access_points) {
+      if (samples.count(access_point.bssid) != 0) {
+        const auto fit = accessPointFit(samples[access_point.bssid], access_point.position,
+                                        access_point.height_m);
+        ASSERT_TRUE(fit);
+        EXPECT_FALSE(fit->suspect) << recording.name << ' ' << access_point.name;
+        const Position error = fit->estimate.position - access_point.position;
+        sum += error.dot(fit->estimate.covariance.inverse() * error);
+        ++count;
+      }
+    }
+  }
+  EXPECT_LT(sum / count, 5.0) << "2 if covariances were exact";
 }
 
 }  // namespace

@@ -1,0 +1,148 @@
+// What the mapping nodelet tells of access points: given rightly, given wrongly, not given.
+
+#include <gtest/gtest.h>
+#include <structure_from_wifi/AccessPoints.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <cmath>
+#include <map>
+
+#include "mapping_nodelet_world.h"
+#include "structure_from_wifi/random.h"
+#include "structure_from_wifi/types.h"
+
+namespace sfw {
+namespace {
+
+constexpr char kLost[] = "02:00:00:00:00:03";
+constexpr int kSteps = 560;  // through a hall of 8 x 6 m, in lanes 1 m apart
+
+class AccessPointsTest : public NodeletWorld {
+ protected:
+  void SetUp() override {
+    NodeletWorld::SetUp();
+    XmlRpc::XmlRpcValue table = tableOf({{kNear, 2.0, 1.5}, {kFar, 2.0, 4.5}});  // really at 6, 4.5
+    table[2]["bssid"] = std::string(kLost);
+    table[2]["name"] = std::string("lost");
+    ros::param::set(name_ + "/mapping/access_points", table);
+    ros::NodeHandle node;
+    subscribers_.push_back(node.subscribe<structure_from_wifi::AccessPoints>(
+        name_ + "/access_points", 10,
+        [this](const structure_from_wifi::AccessPointsConstPtr& told) { told_ = told; }));
+    subscribers_.push_back(node.subscribe<visualization_msgs::MarkerArray>(
+        name_ + "/markers", 10,
+        [this](const visualization_msgs::MarkerArrayConstPtr& markers) { markers_ = markers; }));
+    load();
+  }
+
+  void drive(int steps) {
+    Random random(1, 2, 3);
+    const auto heardFrom = [&](const Position& place, const Position& access_point) {
+      const double distance = std::max(0.3, (place - access_point).norm());
+      return static_cast<float>(-40.0 - 20.0 * std::log10(distance) + random.normal());
+    };
+    for (int i = 0; i < steps; ++i) {
+      const int lane = i / 80;
+      const Position place(0.1 * (lane % 2 == 0 ? i % 80 : 80 - i % 80), lane);
+      sendPose(0.1 * i, place.x(), place.y());
+      sendScan(0.1 * i, {{kNear, heardFrom(place, {2.0, 1.5})},
+                         {kFar, heardFrom(place, {6.0, 4.5})},
+                         {kLost, heardFrom(place, {5.0, 1.0})}});
+      ros::Time::setNow(at(0.1 * i));
+      ros::WallDuration(0.001).sleep();
+    }
+    EXPECT_EQ(rows(3U * static_cast<unsigned>(steps)).size(), 3U * static_cast<unsigned>(steps));
+  }
+
+  bool isJudged() {
+    return told_ && told_->access_points.size() == 3U &&
+           std::isfinite(told_->access_points[1].fit_db);
+  }
+
+  /// Of that group and number, or nullptr.
+  const visualization_msgs::Marker* marker(const std::string& group, int id) const {
+    for (const visualization_msgs::Marker& marker : markers_->markers) {
+      if (marker.ns == group && marker.id == id) {
+        return &marker;
+      }
+    }
+    return nullptr;
+  }
+
+  std::vector<ros::Subscriber> subscribers_;
+  structure_from_wifi::AccessPointsConstPtr told_;
+  visualization_msgs::MarkerArrayConstPtr markers_;
+};
+
+TEST_F(AccessPointsTest, TellsWhichPositionsAgreeWithWhatWasHeard) {
+  drive(kSteps);
+  ASSERT_TRUE(spinUntil([&] { return isJudged(); }, 10.0));
+  const structure_from_wifi::AccessPoint& right = told_->access_points[0];
+  EXPECT_FALSE(right.estimated);
+  EXPECT_FALSE(right.suspect);
+  EXPECT_LT(right.fit_db, 2.0);
+  EXPECT_NEAR(right.seems_to_stand_at.x, 2.0, 0.5);
+  const structure_from_wifi::AccessPoint& wrong = told_->access_points[1];
+  EXPECT_TRUE(wrong.suspect);
+  EXPECT_GT(wrong.fit_db, right.fit_db);
+  EXPECT_EQ(wrong.position.x, 2.0) << "is used as given all the same";
+  EXPECT_NEAR(wrong.seems_to_stand_at.x, 6.0, 0.7);
+  EXPECT_NEAR(wrong.seems_to_stand_at.y, 4.5, 0.7);
+  const structure_from_wifi::AccessPoint& lost = told_->access_points[2];
+  EXPECT_TRUE(lost.estimated);
+  EXPECT_FALSE(lost.suspect);
+  EXPECT_TRUE(std::isnan(lost.fit_db));
+  EXPECT_TRUE(std::isnan(lost.seems_to_stand_at.x));
+  EXPECT_NEAR(lost.position.x, 5.0, 1.0);
+
+  const std::string report = savedFile("report.json");
+  EXPECT_NE(report.find("\"suspect\": true"), std::string::npos);
+  EXPECT_NE(report.find("\"suspect\": false"), std::string::npos);
+}
+
+TEST_F(AccessPointsTest, ShowsWhatIsEstimatedAndWhatIsSuspect) {
+  drive(kSteps);
+  ASSERT_TRUE(spinUntil([&] { return isJudged() && markers_ && marker("doubts", 1); }, 10.0));
+  ASSERT_NE(marker("access_points", 0), nullptr);
+  ASSERT_NE(marker("access_points", 1), nullptr);
+  EXPECT_NE(marker("access_points", 0)->color, marker("access_points", 1)->color);
+  EXPECT_EQ(marker("names", 0)->text, kNear);
+  EXPECT_NE(marker("names", 1)->text.find("sounds as if 4."), std::string::npos)
+      << marker("names", 1)->text;
+  EXPECT_NE(marker("names", 2)->text.find("lost\nestimated, ± "), std::string::npos)
+      << marker("names", 2)->text;
+  EXPECT_EQ(marker("uncertainty", 0), nullptr);
+  EXPECT_EQ(marker("doubts", 0), nullptr);
+  EXPECT_EQ(marker("doubts", 1)->points.size(), 2U);
+  const visualization_msgs::Marker* ellipse = marker("uncertainty", 2);
+  ASSERT_NE(ellipse, nullptr);
+  EXPECT_EQ(marker("doubts", 2), nullptr);
+  EXPECT_GE(ellipse->scale.x, ellipse->scale.y);
+  EXPECT_GT(ellipse->scale.y, 0.0);
+  EXPECT_LT(ellipse->color.a, 1.0F);
+  const auto& turn = ellipse->pose.orientation;
+  EXPECT_NEAR(turn.z * turn.z + turn.w * turn.w, 1.0, 1e-9);
+}
+
+TEST_F(AccessPointsTest, JudgesNothingFromAFewReadings) {
+  drive(5);
+  ASSERT_TRUE(spinUntil(
+      [&] { return told_ && !told_->access_points.empty() && told_->access_points[0].readings; },
+      5.0));
+  for (const structure_from_wifi::AccessPoint& access_point : told_->access_points) {
+    EXPECT_TRUE(std::isnan(access_point.fit_db));
+    EXPECT_FALSE(access_point.suspect);
+    EXPECT_FALSE(access_point.estimated);
+  }
+  EXPECT_EQ(marker("names", 2), nullptr) << "is nowhere";
+}
+
+}  // namespace
+}  // namespace sfw
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "access_points_test");
+  const ros::NodeHandle node;  // keeps ROS up between the tests
+  return RUN_ALL_TESTS();
+}
