@@ -201,7 +201,7 @@ void measure(double minutes, const Mapper& mapper, const std::vector<AccessPoint
         .ray_loss[0][0];
   });
   const double features = cpuSeconds([&] {
-    return static_cast<double>(describeCells(path, described.heard, described.walls).values[0][0]);
+    return static_cast<double>(describeCells(path, described.heard, described.walls, never).values[0][0]);
   });
   const std::shared_ptr<const Snapshot> snapshot = mapper.infer();
   const double inference = cpuSeconds([&] {

@@ -43,11 +43,12 @@ struct RayEvidence {
 };
 
 RayEvidence rayEvidence(const GridGeometry& geometry, const std::vector<HeardAccessPoint>& heard,
-                        const std::vector<std::vector<double>>& losses) {
+                        const std::vector<std::vector<double>>& losses,
+                        const std::atomic<bool>& stop) {
   RayEvidence evidence(geometry);
   Grid<std::size_t> last(geometry, heard.size());
   for (std::size_t i = 0; i < heard.size(); ++i) {
-    for (std::size_t j = 0; j < heard[i].bins.size(); ++j) {
+    for (std::size_t j = 0; j < heard[i].bins.size() && !stop; ++j) {
       const auto loss = static_cast<float>(losses[i][j]);
       Ray(geometry, heard[i].position, heard[i].bins[j].place).forEachCell([&](Cell c) {
         if (!geometry.contains(c)) {
@@ -72,7 +73,8 @@ struct Ways {
 };
 
 /// Dijkstra over eight neighbours; a metre costs 1 + 2 for each dB of wall strength there.
-Ways waysFrom(const Mask& path, const Grid<double>& distance, const Values& strength) {
+Ways waysFrom(const Mask& path, const Grid<double>& distance, const Values& strength,
+              const std::atomic<bool>& stop) {
   const GridGeometry& geometry = path.geometry;
   const double resolution = geometry.resolution();
   constexpr float kFar = 1e6F;
@@ -97,7 +99,7 @@ Ways waysFrom(const Mask& path, const Grid<double>& distance, const Values& stre
       open.emplace(cost, geometry.index(next));
     }
   };
-  while (!open.empty()) {
+  while (!open.empty() && !stop) {
     const auto [so_far, at] = open.top();
     open.pop();
     if (so_far > ways.cost.cells[at]) {
@@ -121,20 +123,22 @@ float saturating(float value, float scale) { return 1.0F - std::exp(-value / sca
 class Describer {
  public:
   Describer(const DrivenPath& path, const std::vector<HeardAccessPoint>& heard,
-            const WallField& walls)
-      : geometry_(path.cells.geometry),
+            const WallField& walls, const std::atomic<bool>& stop)
+      : stop_(stop),
+        geometry_(path.cells.geometry),
         heard_(heard),
         walls_(walls),
         distance_(distanceTransform(path.cells)),
         footprint_(geometry_),
-        disc_small_(signedDepth(closed(path.cells, inCells(0.6)))),
-        disc_middle_(signedDepth(withHolesFilled(closed(path.cells, inCells(1.2))))),
-        disc_large_(signedDepth(withHolesFilled(closed(path.cells, inCells(2.4))))),
-        square_small_(signedDepth(closedWithSquare(path.cells, wholeCells(0.6)))),
-        square_middle_(signedDepth(withHolesFilled(closedWithSquare(path.cells, wholeCells(1.2))))),
-        rays_(rayEvidence(geometry_, heard, walls.ray_loss)),
+        disc_small_(depthOf([&] { return closed(path.cells, inCells(0.6)); })),
+        disc_middle_(depthOf([&] { return withHolesFilled(closed(path.cells, inCells(1.2))); })),
+        disc_large_(depthOf([&] { return withHolesFilled(closed(path.cells, inCells(2.4))); })),
+        square_small_(depthOf([&] { return closedWithSquare(path.cells, wholeCells(0.6)); })),
+        square_middle_(depthOf(
+            [&] { return withHolesFilled(closedWithSquare(path.cells, wholeCells(1.2))); })),
+        rays_(rayEvidence(geometry_, heard, walls.ray_loss, stop)),
         beside_(boxMean(walls.strength, wholeCells(0.2))),
-        ways_(waysFrom(path.cells, distance_, walls.strength)),
+        ways_(waysFrom(path.cells, distance_, walls.strength, stop)),
         alignment_(axisAlignment(geometry_, path.driven, path.max_gap_m)),
         style_(styleOf(path.cells, disc_middle_, path.driven, path.max_gap_m)) {
     Values covered(geometry_);
@@ -150,7 +154,7 @@ class Describer {
 
   CellFeatures describe() const {
     CellFeatures features{geometry_, {}, {}, style_};
-    for (std::size_t i = 0; i < distance_.cells.size(); ++i) {
+    for (std::size_t i = 0; i < distance_.cells.size() && !stop_; ++i) {
       if (distance_.cells[i] * geometry_.resolution() <= kFarthestJudged) {
         features.cells.push_back(i);
         features.values.push_back(describe(i));
@@ -161,6 +165,12 @@ class Describer {
 
  private:
   static constexpr float kFarthestAlong = 3.0F;  // [m]
+
+  /// Depth in a set; it is not made any more when all shall stop.
+  template <class MakeSet>
+  Values depthOf(MakeSet&& make) const {
+    return stop_ ? Values(geometry_) : signedDepth(make());
+  }
 
   double inCells(double metres) const { return metres / geometry_.resolution(); }
   std::int64_t wholeCells(double metres) const { return std::lround(inCells(metres)); }
@@ -220,6 +230,7 @@ class Describer {
             disc_large_.cells[source]};
   }
 
+  const std::atomic<bool>& stop_;
   const GridGeometry& geometry_;
   const std::vector<HeardAccessPoint>& heard_;
   const WallField& walls_;
@@ -258,8 +269,8 @@ bool usesRadio(std::size_t feature) {
 }
 
 CellFeatures describeCells(const DrivenPath& path, const std::vector<HeardAccessPoint>& heard,
-                           const WallField& walls) {
-  return Describer(path, heard, walls).describe();
+                           const WallField& walls, const std::atomic<bool>& stop) {
+  return Describer(path, heard, walls, stop).describe();
 }
 
 }  // namespace sfw
