@@ -15,7 +15,6 @@ class AccessPointLikelihood {
   /// Power, exponent, loss for each metre, and the first harmonic of the access point's pattern: an
   /// antenna that favours one side looks as if it stood nearer to it.
   static constexpr int kTerms = 5;
-  using Basis = Eigen::Matrix<double, Eigen::Dynamic, kTerms, Eigen::RowMajor>;
 
   /// @param heard  its position is not looked at
   explicit AccessPointLikelihood(HeardAccessPoint heard);
@@ -29,12 +28,27 @@ class AccessPointLikelihood {
   const HeardAccessPoint& heard() const { return heard_; }
 
  private:
+  using Terms = Eigen::Matrix<double, kTerms, 1>;
+  using Information = Eigen::Matrix<double, kTerms, kTerms>;
+
+  /// All but the first term, which is one everywhere.
+  using Basis = Eigen::Matrix<double, Eigen::Dynamic, kTerms - 1, Eigen::RowMajor>;
+
+  /// Sums of squares and products of whitened terms and signals, all scaled by the priors.
+  struct Moments {
+    Information information;  // of the priors too
+    Terms pull;               // of what the prior mean leaves
+    double residual;          // squared, to the prior mean
+  };
+
   Basis basisAt(const Position& place) const;
-  Basis whiteBasis(const Position& place) const;
+  Moments momentsAt(const Position& place) const;
 
   HeardAccessPoint heard_;
   ShadowingWhitener whitener_;
+  Eigen::ArrayXd x_, y_;  // of the bins
   Eigen::VectorXd signals_;
+  Eigen::VectorXd white_ones_;
   Eigen::VectorXd white_signals_;
 };
 
