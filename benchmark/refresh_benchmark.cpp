@@ -6,6 +6,7 @@
 // Runs on a drive through a made-up office floor of 400 m2 with three access points, cut after 5,
 // 10, 30 and 60 minutes. All is counted on one core: the process has one thread.
 
+#include <octomap/OcTree.h>
 #include <ros/serialization.h>
 
 #include <Eigen/Core>
@@ -15,10 +16,13 @@
 #include <ctime>
 #include <exception>
 #include <limits>
+#include <memory>
+#include <string_view>
 #include <vector>
 
 #include "message_conversion.h"
 #include "structure_from_wifi/mapper.h"
+#include "structure_from_wifi/octomap_export.h"
 #include "structure_from_wifi/plan_generator.h"
 #include "structure_from_wifi/route_planner.h"
 #include "structure_from_wifi/scenario.h"
@@ -83,6 +87,13 @@ double publishedBytes(const Snapshot& snapshot) {
   send(toMarkers(snapshot, header));
   send(toAccessPoints(snapshot, header));
   return bytes;
+}
+
+/// What it does besides while somebody listens to OctoMaps.
+double octomapBytes(const Snapshot& snapshot) {
+  const auto tree = toOctomap(snapshot.belief, Config().octomap);
+  return static_cast<double>(toBinaryOctomap(*tree, {}).data.size() +
+                             toFullOctomap(*tree, {}).data.size());
 }
 
 MappedDrive mappedDrive(const Mapper& mapper, const std::vector<AccessPoint>& access_points) {
@@ -201,19 +212,23 @@ void measure(double minutes, const Mapper& mapper, const std::vector<AccessPoint
         .ray_loss[0][0];
   });
   const double features = cpuSeconds([&] {
-    return static_cast<double>(describeCells(path, described.heard, described.walls, never).values[0][0]);
+    return static_cast<double>(
+        describeCells(path, described.heard, described.walls, never).values[0][0]);
   });
   const std::shared_ptr<const Snapshot> snapshot = mapper.infer();
   const double inference = cpuSeconds([&] {
     return static_cast<double>(mapper.infer()->belief.occupied({0, 0}));
   });
   const double publishing = cpuSeconds([&] { return publishedBytes(*snapshot); });
+  const double octomaps = cpuSeconds([&] { return octomapBytes(*snapshot); });
   const double refresh = inference + publishing;
   const double plain = plainSeconds(described.heard, walls);
   std::printf(
-      "| %.0f min | %zu | %zu | %zu | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.1f | %.1f |\n",
+      "| %.0f min | %zu | %zu | %zu | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.1f | %.1f "
+      "|\n",
       minutes, mapper.readings().size(), bins, described.cells.cells.size(), precision, wall_field,
-      features, inference - wall_field - features, publishing, refresh, plain, plain / refresh);
+      features, inference - wall_field - features, publishing, refresh, octomaps, plain,
+      plain / refresh);
 }
 
 }  // namespace
@@ -225,8 +240,9 @@ int main() {
     const sfw::SimulatedRecording recording = sfw::simulate(scenario);
     std::puts(
         "| drive | readings | bins | cells judged | precisions [s] | walls, with these [s] |"
-        " features [s] | rest [s] | publishing [s] | refresh [s] | plain [s] | plain : refresh |\n"
-        "|---|---|---|---|---|---|---|---|---|---|---|---|");
+        " features [s] | rest [s] | publishing [s] | refresh [s] | OctoMaps, if heard [s] | plain "
+        "[s] | plain : refresh |\n"
+        "|---|---|---|---|---|---|---|---|---|---|---|---|---|");
     for (const double minutes : {5.0, 10.0, 30.0, 60.0}) {
       sfw::Mapper mapper(sfw::Config(), scenario.access_points);
       for (const sfw::Reading& reading : recording.readings) {

@@ -169,7 +169,8 @@ class Describer {
   /// Depth in a set; it is not made any more when all shall stop.
   template <class MakeSet>
   Values depthOf(MakeSet&& make) const {
-    return stop_ ? Values(geometry_) : signedDepth(make());
+    const Mask set = stop_ ? Mask(geometry_) : make();
+    return stop_ ? Values(geometry_) : signedDepth(set);
   }
 
   double inCells(double metres) const { return metres / geometry_.resolution(); }
