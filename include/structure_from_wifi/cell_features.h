@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <vector>
 
@@ -40,8 +41,9 @@ struct DrivenPath {
 };
 
 /// Describes every cell near a path.
+/// @param stop  polled; when it turns true the result is incomplete
 /// O(cells log cells + cells crossed by rays).
 CellFeatures describeCells(const DrivenPath& path, const std::vector<HeardAccessPoint>& heard,
-                           const WallField& walls);
+                           const WallField& walls, const std::atomic<bool>& stop);
 
 }  // namespace sfw

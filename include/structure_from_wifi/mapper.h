@@ -152,7 +152,8 @@ class Mapper {
 
   std::shared_ptr<const Snapshot> infer(Hearing hearing, const std::atomic<bool>& stop) const;
   /// The table with positions estimated where it has none; what cannot be placed is not heard.
-  std::vector<AccessPointSummary> placed(std::vector<Series>& heard) const;
+  std::vector<AccessPointSummary> placed(std::vector<Series>& heard,
+                                         const std::atomic<bool>& stop) const;
   static std::vector<Sample> samplesOf(const Series& series);
 
   void inferByCounts(std::vector<Series>& heard, Hearing hearing, const std::atomic<bool>& stop,

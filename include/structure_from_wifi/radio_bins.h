@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <vector>
 
@@ -36,6 +37,10 @@ struct Sample {
 /// @param samples  in the order heard
 HeardAccessPoint binned(const std::vector<Sample>& samples, const Position& access_point_in_map,
                         std::optional<double> height_m, const BuildingFrame& frame, double bin_m);
+
+/// Distances in space [m], given the squares of those on the floor [m2]: at least 0.3 m, and with
+/// the antenna 0.6 m above the floor where the access point's height is known.
+Eigen::ArrayXd spaceDistance(const Eigen::ArrayXd& squares_m2, std::optional<double> height_m);
 
 /// 10 log10 of the distance in space in metres, at least 0.3 m: what the path loss exponent is
 /// multiplied by. The antenna rides 0.6 m above the floor where the access point's height is known.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -43,15 +44,25 @@ class ShadowingWhitener {
   /// K^-1 v = L' L v. O(places).
   Eigen::VectorXd whitenedTwice(const Eigen::VectorXd& values) const;
 
+  /// Logarithm of the determinant of L.
+  double logDeterminant() const;
+
  private:
-  /// One row of the factor L: itself first, then places before it.
-  struct Entry {
-    int column;
-    double value;
+  friend class SinglePrecision;
+
+  /// With 12 the variance of most sums of signals is right within a seventh, and of the worst one
+  /// within a half: far less than what is known of shadowing.
+  static constexpr int kNeighbours = 12;
+
+  /// One row of the factor L: a place itself, then places before it. Where there are fewer of
+  /// these, the place itself is repeated with weight 0.
+  template <class Scalar>
+  struct Row {
+    std::array<int, kNeighbours + 1> place;
+    std::array<Scalar, kNeighbours + 1> weight;
   };
 
-  std::vector<int> row_begin_;
-  std::vector<Entry> entries_;
+  std::vector<Row<double>> rows_;
 };
 
 /// Inverse covariance of the signals of one access point at many places.
@@ -72,18 +83,37 @@ class SignalPrecision {
   Eigen::VectorXd times(const Eigen::VectorXd& residual) const;
 
  private:
+  friend class SinglePrecision;
+
   ShadowingWhitener whitener_;
   Eigen::MatrixXd solved_basis_;  // K^-1 U, one column for power, one for the exponent
   Eigen::Matrix2d capacitance_;   // (W^-1 + U' K^-1 U)^-1
 };
 
+/// A SignalPrecision in single precision: its products take half the time, and err by some 1e-6 of
+/// what they are given.
+class SinglePrecision {
+ public:
+  explicit SinglePrecision(const SignalPrecision& exact);
+
+  /// Sets `product` to C^-1 r. O(places).
+  void times(Eigen::Ref<const Eigen::VectorXf> residual, Eigen::Ref<Eigen::VectorXf> product) const;
+
+ private:
+  std::vector<ShadowingWhitener::Row<float>> rows_;
+  Eigen::Matrix<float, Eigen::Dynamic, 2> solved_basis_;
+  Eigen::Matrix2f capacitance_;
+};
+
 template <class Values>
 Values ShadowingWhitener::whitened(const Values& values) const {
-  Values white = Values::Zero(values.rows(), values.cols());
-  for (std::size_t row = 0; row + 1 < row_begin_.size(); ++row) {
-    for (int i = row_begin_[row]; i < row_begin_[row + 1]; ++i) {
-      const Entry& entry = entries_[static_cast<std::size_t>(i)];
-      white.row(static_cast<Eigen::Index>(row)) += entry.value * values.row(entry.column);
+  Values white(values.rows(), values.cols());
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const Row<double>& row = rows_[i];
+    auto sum = white.row(static_cast<Eigen::Index>(i));
+    sum = row.weight[0] * values.row(row.place[0]);
+    for (std::size_t j = 1; j < row.place.size(); ++j) {
+      sum += row.weight[j] * values.row(row.place[j]);
     }
   }
   return white;

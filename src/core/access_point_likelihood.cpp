@@ -8,12 +8,8 @@
 namespace sfw {
 namespace {
 
-constexpr double kDecibel = 0.2302585092994045684;  // as a natural logarithm of power
-
 constexpr int kTerms = AccessPointLikelihood::kTerms;
-using Basis = AccessPointLikelihood::Basis;
 using Terms = Eigen::Matrix<double, kTerms, 1>;
-using Information = Eigen::Matrix<double, kTerms, kTerms>;
 
 constexpr double kUsualClimb = 0.8;  // [m], from antenna to access point where nobody says
 
@@ -41,75 +37,84 @@ ShadowingWhitener whitenerOf(const HeardAccessPoint& heard, const ShadowingModel
   return {places, noise, model};
 }
 
-/// Of the factor, a triangle but for the order of its rows. Each row is 1 / s for its own place
-/// and, for places before it, as much times weights below 1: the largest entry stands on the
-/// diagonal.
-double logDeterminantOf(const ShadowingWhitener& whitener, std::size_t places) {
-  const auto size = static_cast<Eigen::Index>(places);
-  const Eigen::MatrixXd factor = whitener.whitened(Eigen::MatrixXd::Identity(size, size).eval());
-  return factor.rowwise().maxCoeff().array().log().sum();
-}
-
-/// In space [m]. On the floor alone it would pass through 0, and the law would have it that
-/// readings near the access point tell its place to the decimetre.
-double distanceTo(const HeardAccessPoint& standing, const Position& place) {
-  const double distance = std::exp(kDecibel * logDistance(standing, place));
-  return standing.height_m ? distance : std::hypot(distance, kUsualClimb);
-}
-
 }  // namespace
 
 AccessPointLikelihood::AccessPointLikelihood(HeardAccessPoint heard, const Shadowing& shadowing)
-    : heard_(std::move(heard)),
-      whitener_(whitenerOf(heard_, modelOf(shadowing))),
-      log_determinant_(logDeterminantOf(whitener_, heard_.bins.size())) {
-  signals_.resize(static_cast<Eigen::Index>(heard_.bins.size()));
-  for (std::size_t i = 0; i < heard_.bins.size(); ++i) {
-    signals_[static_cast<Eigen::Index>(i)] = heard_.bins[i].rssi_dbm;
+    : heard_(std::move(heard)), whitener_(whitenerOf(heard_, modelOf(shadowing))) {
+  const auto count = static_cast<Eigen::Index>(heard_.bins.size());
+  x_.resize(count);
+  y_.resize(count);
+  signals_.resize(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const RadioBin& bin = heard_.bins[static_cast<std::size_t>(i)];
+    x_[i] = bin.place.x();
+    y_[i] = bin.place.y();
+    signals_[i] = bin.rssi_dbm;
   }
   white_signals_ = whitener_.whitened(signals_);
+  white_ones_ = whitener_.whitened(Eigen::VectorXd(Eigen::VectorXd::Ones(count)));
 }
 
 double AccessPointLikelihood::at(const Position& place) const {
-  const Basis basis = whiteBasis(place);
-  const Eigen::VectorXd residual = white_signals_ - basis * priorMean();
-  const Basis scaled = basis * priorDeviation().asDiagonal();
-  const Information information = Information::Identity() + scaled.transpose() * scaled;
-  const Eigen::LLT<Information> factor(information);
-  const Terms pull = scaled.transpose() * residual;
+  const Moments moments = momentsAt(place);
+  const Eigen::LLT<Information> factor(moments.information);
   const double half_log_determinant = factor.matrixLLT().diagonal().array().log().sum();
-  return 0.5 * (pull.dot(factor.solve(pull)) - residual.squaredNorm()) - half_log_determinant +
-         log_determinant_;
+  return 0.5 * (moments.pull.dot(factor.solve(moments.pull)) - moments.residual) -
+         half_log_determinant + whitener_.logDeterminant();
 }
 
 double AccessPointLikelihood::residualAt(const Position& place) const {
-  const Basis white = whiteBasis(place);
-  const Basis scaled = white * priorDeviation().asDiagonal();
-  const Information information = Information::Identity() + scaled.transpose() * scaled;
-  const Terms pull = scaled.transpose() * (white_signals_ - white * priorMean());
-  const Terms law =
-      priorMean() + priorDeviation().cwiseProduct(Terms(information.llt().solve(pull)));
-  return (signals_ - basisAt(place) * law).norm() / std::sqrt(static_cast<double>(signals_.size()));
+  const Moments moments = momentsAt(place);
+  const Terms law = priorMean() + priorDeviation().cwiseProduct(
+                                      Terms(moments.information.llt().solve(moments.pull)));
+  const Eigen::VectorXd expected = basisAt(place) * law.tail<kTerms - 1>();
+  return ((signals_ - expected).array() - law[0]).matrix().norm() /
+         std::sqrt(static_cast<double>(signals_.size()));
 }
 
-Basis AccessPointLikelihood::basisAt(const Position& place) const {
-  HeardAccessPoint standing;
-  standing.position = place;
-  standing.height_m = heard_.height_m;
-  Basis basis(signals_.size(), kTerms);
-  for (Eigen::Index i = 0; i < signals_.size(); ++i) {
-    const Position& bin = heard_.bins[static_cast<std::size_t>(i)].place;
-    const double distance = distanceTo(standing, bin);
-    const double loss = std::log(distance) / kDecibel;
-    const Position way = (bin - place) / distance;
-    basis.row(i) << 1.0, loss, distance, way.x(), way.y(), way.x() * way.x() - way.y() * way.y(),
-        2.0 * way.x() * way.y();
+AccessPointLikelihood::Basis AccessPointLikelihood::basisAt(const Position& place) const {
+  const Eigen::ArrayXd away_x = x_ - place.x();
+  const Eigen::ArrayXd away_y = y_ - place.y();
+  Eigen::ArrayXd squares =
+      spaceDistance(away_x.square() + away_y.square(), heard_.height_m).square();
+  if (!heard_.height_m) {
+    // On the floor alone the distance would pass through 0, and the law would have it that readings
+    // near the access point tell its place to the decimetre.
+    squares += kUsualClimb * kUsualClimb;
   }
+  const Eigen::ArrayXd distance = squares.sqrt();
+  const Eigen::ArrayXd way_x = away_x / distance;
+  const Eigen::ArrayXd way_y = away_y / distance;
+  Basis basis(signals_.size(), kTerms - 1);
+  basis.col(0) = 10.0 / std::log(10.0) * distance.log();
+  basis.col(1) = distance;
+  basis.col(2) = way_x;
+  basis.col(3) = way_y;
+  basis.col(4) = way_x.square() - way_y.square();
+  basis.col(5) = 2.0 * way_x * way_y;
   return basis;
 }
 
-Basis AccessPointLikelihood::whiteBasis(const Position& place) const {
-  return whitener_.whitened(basisAt(place));
+AccessPointLikelihood::Moments AccessPointLikelihood::momentsAt(const Position& place) const {
+  const Basis white = whitener_.whitened(basisAt(place));
+  Eigen::Matrix<double, kTerms + 1, kTerms + 1> products;
+  products.setZero();
+  for (Eigen::Index i = 0; i < white.rows(); ++i) {
+    Eigen::Matrix<double, kTerms + 1, 1> row;
+    row << white_ones_[i], white.row(i).transpose(), white_signals_[i];
+    products.noalias() += row * row.transpose();
+  }
+  const Information squares = products.topLeftCorner<kTerms, kTerms>();
+  const Terms with_signals = products.topRightCorner<kTerms, 1>();
+  const Terms mean = priorMean();
+  const Terms deviation = priorDeviation();
+  Moments moments;
+  moments.information =
+      Information::Identity() + deviation.asDiagonal() * squares * deviation.asDiagonal();
+  moments.pull = deviation.cwiseProduct(with_signals - squares * mean);
+  moments.residual =
+      products(kTerms, kTerms) - 2.0 * mean.dot(with_signals) + mean.dot(squares * mean);
+  return moments;
 }
 
 }  // namespace sfw

@@ -16,7 +16,6 @@ class AccessPointLikelihood {
   /// that favours one side looks as if it stood nearer to it, and so does one with a wall at its
   /// back or in a corridor.
   static constexpr int kTerms = 7;
-  using Basis = Eigen::Matrix<double, Eigen::Dynamic, kTerms, Eigen::RowMajor>;
 
   /// What shadows signals where no wall is modelled: how strongly, and how far along.
   struct Shadowing {
@@ -36,13 +35,27 @@ class AccessPointLikelihood {
   const HeardAccessPoint& heard() const { return heard_; }
 
  private:
+  using Terms = Eigen::Matrix<double, kTerms, 1>;
+  using Information = Eigen::Matrix<double, kTerms, kTerms>;
+
+  /// All but the first term, which is one everywhere.
+  using Basis = Eigen::Matrix<double, Eigen::Dynamic, kTerms - 1, Eigen::RowMajor>;
+
+  /// Sums of squares and products of whitened terms and signals, all scaled by the priors.
+  struct Moments {
+    Information information;  // of the priors too
+    Terms pull;               // of what the prior mean leaves
+    double residual;          // squared, to the prior mean
+  };
+
   Basis basisAt(const Position& place) const;
-  Basis whiteBasis(const Position& place) const;
+  Moments momentsAt(const Position& place) const;
 
   HeardAccessPoint heard_;
   ShadowingWhitener whitener_;
-  double log_determinant_;  // of the factor of the inverse covariance
+  Eigen::ArrayXd x_, y_;  // of the bins
   Eigen::VectorXd signals_;
+  Eigen::VectorXd white_ones_;
   Eigen::VectorXd white_signals_;
 };
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "axis_rasters.h"
+#include "ray_evidence.h"
 #include "structure_from_wifi/morphology.h"
-#include "structure_from_wifi/ray.h"
 
 namespace sfw {
 namespace {
@@ -30,41 +30,6 @@ Values signedDepth(const Mask& set) {
   return depth;
 }
 
-/// How many rays pass, from how many access points, and the least loss on any.
-struct RayEvidence {
-  explicit RayEvidence(const GridGeometry& geometry)
-      : rays(geometry), access_points(geometry), least_loss(geometry, kUnseen) {}
-
-  static constexpr float kUnseen = 1e6F;
-
-  Values rays;
-  Values access_points;
-  Values least_loss;
-};
-
-RayEvidence rayEvidence(const GridGeometry& geometry, const std::vector<HeardAccessPoint>& heard,
-                        const std::vector<std::vector<double>>& losses) {
-  RayEvidence evidence(geometry);
-  Grid<std::size_t> last(geometry, heard.size());
-  for (std::size_t i = 0; i < heard.size(); ++i) {
-    for (std::size_t j = 0; j < heard[i].bins.size(); ++j) {
-      const auto loss = static_cast<float>(losses[i][j]);
-      Ray(geometry, heard[i].position, heard[i].bins[j].place).forEachCell([&](Cell c) {
-        if (!geometry.contains(c)) {
-          return;
-        }
-        evidence.rays[c] += 1.0F;
-        evidence.least_loss[c] = std::min(evidence.least_loss[c], loss);
-        if (last[c] != i) {
-          last[c] = i;
-          evidence.access_points[c] += 1.0F;
-        }
-      });
-    }
-  }
-  return evidence;
-}
-
 /// The cheapest way from the path to each judged cell.
 struct Ways {
   Values cost;               ///< [m]
@@ -72,7 +37,8 @@ struct Ways {
 };
 
 /// Dijkstra over eight neighbours; a metre costs 1 + 2 for each dB of wall strength there.
-Ways waysFrom(const Mask& path, const Grid<double>& distance, const Values& strength) {
+Ways waysFrom(const Mask& path, const Grid<double>& distance, const Values& strength,
+              const std::atomic<bool>& stop) {
   const GridGeometry& geometry = path.geometry;
   const double resolution = geometry.resolution();
   constexpr float kFar = 1e6F;
@@ -97,7 +63,7 @@ Ways waysFrom(const Mask& path, const Grid<double>& distance, const Values& stre
       open.emplace(cost, geometry.index(next));
     }
   };
-  while (!open.empty()) {
+  while (!open.empty() && !stop) {
     const auto [so_far, at] = open.top();
     open.pop();
     if (so_far > ways.cost.cells[at]) {
@@ -124,20 +90,22 @@ float over(float value, float limit) { return std::max(0.0F, value - limit); }
 class Describer {
  public:
   Describer(const DrivenPath& path, const std::vector<HeardAccessPoint>& heard,
-            const WallField& walls)
-      : geometry_(path.cells.geometry),
+            const WallField& walls, const std::atomic<bool>& stop)
+      : stop_(stop),
+        geometry_(path.cells.geometry),
         heard_(heard),
         walls_(walls),
         distance_(distanceTransform(path.cells)),
         footprint_(geometry_),
-        disc_small_(signedDepth(closed(path.cells, inCells(0.6)))),
-        disc_middle_(signedDepth(withHolesFilled(closed(path.cells, inCells(1.2))))),
-        disc_large_(signedDepth(withHolesFilled(closed(path.cells, inCells(2.4))))),
-        square_small_(signedDepth(closedWithSquare(path.cells, wholeCells(0.6)))),
-        square_middle_(signedDepth(withHolesFilled(closedWithSquare(path.cells, wholeCells(1.2))))),
-        rays_(rayEvidence(geometry_, heard, walls.ray_loss)),
+        disc_small_(depthOf([&] { return closed(path.cells, inCells(0.6)); })),
+        disc_middle_(depthOf([&] { return withHolesFilled(closed(path.cells, inCells(1.2))); })),
+        disc_large_(depthOf([&] { return withHolesFilled(closed(path.cells, inCells(2.4))); })),
+        square_small_(depthOf([&] { return closedWithSquare(path.cells, wholeCells(0.6)); })),
+        square_middle_(depthOf(
+            [&] { return withHolesFilled(closedWithSquare(path.cells, wholeCells(1.2))); })),
+        rays_(rayEvidence(geometry_, heard, walls.ray_loss, stop)),
         beside_(boxMean(walls.strength, wholeCells(0.2))),
-        ways_(waysFrom(path.cells, distance_, walls.strength)),
+        ways_(waysFrom(path.cells, distance_, walls.strength, stop)),
         alignment_(axisAlignment(geometry_, path.driven, path.max_gap_m)),
         style_(styleOf(path.cells, disc_middle_, path.driven, path.max_gap_m)),
         explained_(explainedShare(heard, walls.ray_loss)) {
@@ -154,7 +122,7 @@ class Describer {
 
   CellFeatures describe() const {
     CellFeatures features{geometry_, {}, {}, style_, explained_};
-    for (std::size_t i = 0; i < distance_.cells.size(); ++i) {
+    for (std::size_t i = 0; i < distance_.cells.size() && !stop_; ++i) {
       if (distance_.cells[i] * geometry_.resolution() <= kFarthestJudged) {
         features.cells.push_back(i);
         features.values.push_back(describe(i));
@@ -165,6 +133,13 @@ class Describer {
 
  private:
   static constexpr float kFarthestAlong = 3.0F;  // [m]
+
+  /// Depth in a set; it is not made any more when all shall stop.
+  template <class MakeSet>
+  Values depthOf(MakeSet&& make) const {
+    const Mask set = stop_ ? Mask(geometry_) : make();
+    return stop_ ? Values(geometry_) : signedDepth(set);
+  }
 
   double inCells(double metres) const { return metres / geometry_.resolution(); }
   std::int64_t wholeCells(double metres) const { return std::lround(inCells(metres)); }
@@ -241,6 +216,7 @@ class Describer {
             over(way_around, 0.25F)};
   }
 
+  const std::atomic<bool>& stop_;
   const GridGeometry& geometry_;
   const std::vector<HeardAccessPoint>& heard_;
   const WallField& walls_;
@@ -309,8 +285,8 @@ bool usesRadio(std::size_t feature) {
 }
 
 CellFeatures describeCells(const DrivenPath& path, const std::vector<HeardAccessPoint>& heard,
-                           const WallField& walls) {
-  return Describer(path, heard, walls).describe();
+                           const WallField& walls, const std::atomic<bool>& stop) {
+  return Describer(path, heard, walls, stop).describe();
 }
 
 }  // namespace sfw

@@ -67,6 +67,11 @@ class RowEnvelope {
   }
 
   void add(std::int64_t x) {
+    if (!vertex_.empty() && vertex_.back() == x - 1 && start_.back() < x && g_[x] == g_[x - 1]) {
+      vertex_.push_back(x);  // as below, without the division: most cells are of this kind
+      start_.push_back(x);
+      return;
+    }
     while (!vertex_.empty() &&
            parabola(start_.back(), vertex_.back()) > parabola(start_.back(), x)) {
       vertex_.pop_back();

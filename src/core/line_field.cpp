@@ -23,21 +23,33 @@ constexpr int kPowerIterations = 15;
 
 using Vector = Eigen::VectorXf;
 
+/// What is heard of one access point: its share of all rays, and how far their signals agree.
+struct Heard {
+  Eigen::Index first_ray;
+  Eigen::Index rays;
+  SinglePrecision precision;
+};
+
+SinglePrecision precisionOf(const HeardAccessPoint& heard, const ShadowingModel& model) {
+  std::vector<Position> places;
+  std::vector<double> noise;
+  std::vector<double> loss;
+  for (const RadioBin& bin : heard.bins) {
+    places.push_back(bin.place);
+    noise.push_back(heard.noise_db2 / bin.readings);
+    loss.push_back(logDistance(heard, bin.place));
+  }
+  return SinglePrecision(SignalPrecision(places, noise, loss, model));
+}
+
 class Solver {
  public:
   Solver(const GridGeometry& geometry, const std::vector<HeardAccessPoint>& heard,
          const Mask& driven, const LineFieldConfig& config, const std::atomic<bool>& stop)
-      : geometry_(geometry), config_(config), stop_(stop), unknowns_(geometry, driven) {
-    for (const HeardAccessPoint& one : heard) {
-      rays_.emplace_back(geometry, one, config.shadowing, unknowns_);
-    }
-    const auto count = static_cast<Eigen::Index>(unknowns_.cells().size());
-    for (const Unknowns::Place& place : unknowns_.cells()) {
-      const std::int32_t next = unknowns_.find(place.direction, Unknowns::along(place, 1));
-      if (next != Unknowns::kNone) {
-        neighbours_.push_back({unknowns_.find(place.direction, place.cell), next});
-      }
-    }
+      : config_(config), stop_(stop), geometry_(geometry), rays_(geometry, heard, driven, stop) {
+    hear(heard);
+    const auto count = static_cast<Eigen::Index>(rays_.unknowns().size());
+    continued_ = static_cast<float>(config.straightness) * rays_.unknowns().continued();
     loss_ = Vector::Zero(count);
     weight_ = Vector::Ones(count);
   }
@@ -49,119 +61,136 @@ class Solver {
       reweight();
       iterate(bound);
     }
-    LineField field(geometry_);
-    for (std::size_t i = 0; i < unknowns_.cells().size(); ++i) {
-      const Unknowns::Place& place = unknowns_.cells()[i];
-      (place.direction == Direction::kAcrossX ? field.across_x : field.across_y)[place.cell] =
-          loss_[static_cast<Eigen::Index>(i)];
-    }
-    return field;
+    return field();
   }
 
  private:
-  /// Unknowns of which the second continues the first one's wall.
-  struct Neighbours {
-    std::int32_t one;
-    std::int32_t next;
-  };
+  void hear(const std::vector<HeardAccessPoint>& heard) {
+    unexplained_.resize(static_cast<Eigen::Index>(rays_.size()));
+    Eigen::Index ray = 0;
+    for (const HeardAccessPoint& one : heard) {
+      if (stop_) {
+        return;
+      }
+      heard_.push_back(
+          {ray, static_cast<Eigen::Index>(one.bins.size()), precisionOf(one, config_.shadowing)});
+      for (const RadioBin& bin : one.bins) {
+        const double expected = kPriorPower - kPriorExponent * logDistance(one, bin.place);
+        unexplained_[ray++] = static_cast<float>(bin.rssi_dbm - expected);
+      }
+    }
+  }
 
   bool saturates() const { return std::isfinite(config_.saturation_db); }
 
-  Eigen::VectorXd residualOf(const Rays& rays, const Eigen::VectorXd& sums) const {
+  /// What signals have less than expected, given the sums of losses on their rays.
+  Vector residualOf(const Vector& sums) const {
     if (!saturates()) {
-      return rays.unexplained() + sums;
+      return unexplained_ + sums;
     }
-    const double s = config_.saturation_db;
-    return rays.unexplained().array() + s * (1.0 - (-sums.array() / s).exp());
+    const auto s = static_cast<float>(config_.saturation_db);
+    return unexplained_.array() + s * (1.0F - (-sums.array() / s).exp());
   }
 
-  /// Derivative of the objective but for the sparsity term.
-  Vector gradientAt(const Vector& x) const {
-    Vector gradient = Vector::Zero(x.size());
-    for (const Rays& rays : rays_) {
-      const Eigen::VectorXd sums = rays.along(x);
-      Eigen::VectorXd pull = rays.precision().times(residualOf(rays, sums));
-      if (saturates()) {
-        pull.array() *= (-sums.array() / config_.saturation_db).exp();
-      }
-      rays.spread(pull, gradient);
+  /// Sets `pull` to Q r.
+  void weigh(const Vector& residual, Vector& pull) const {
+    pull.resize(residual.size());
+    for (const Heard& one : heard_) {
+      one.precision.times(residual.segment(one.first_ray, one.rays),
+                          pull.segment(one.first_ray, one.rays));
     }
-    addStraightness(x, gradient);
-    return gradient;
   }
 
-  /// Pulls cells together that follow each other along a wall. In three passes, of which the
-  /// expensive one runs on several changes at once.
-  void addStraightness(const Vector& x, Vector& gradient) const {
-    Eigen::ArrayXf pull(static_cast<Eigen::Index>(neighbours_.size()));
-    Eigen::Index at = 0;
-    for (const Neighbours& pair : neighbours_) {
-      pull[at++] = x[pair.next] - x[pair.one];
+  /// Sets `gradient_` to the derivative of the objective but for the sparsity term.
+  void differentiateAt(const Vector& x) {
+    rays_.along(x, sums_);
+    weigh(residualOf(sums_), pull_);
+    if (saturates()) {
+      pull_.array() *= (-sums_.array() / static_cast<float>(config_.saturation_db)).exp();
     }
+    rays_.spread(pull_, gradient_);
+    addStraightness(x);
+  }
+
+  /// Pulls unknowns together that follow each other along a wall.
+  void addStraightness(const Vector& x) {
+    const Eigen::Index pairs = continued_.size();
     constexpr auto kSoft = static_cast<float>(kSoftChange * kSoftChange);
-    pull *= static_cast<float>(config_.straightness) / (pull.square() + kSoft).sqrt();
-    at = 0;
-    for (const Neighbours& pair : neighbours_) {
-      gradient[pair.next] += pull[at];
-      gradient[pair.one] -= pull[at++];
-    }
+    change_ = x.tail(pairs) - x.head(pairs);
+    change_ *= continued_ / (change_.square() + kSoft).sqrt();
+    gradient_.tail(pairs).array() += change_;
+    gradient_.head(pairs).array() -= change_;
   }
 
   /// No smaller than the largest curvature of the smooth part.
-  float curvatureBound() const {
+  float curvatureBound() {
     Vector x = Vector::Ones(loss_.size());
     float largest = 0.0F;
     for (int i = 0; i < kPowerIterations && !stop_; ++i) {
-      Vector image = Vector::Zero(x.size());
-      for (const Rays& rays : rays_) {
-        rays.spread(rays.precision().times(rays.along(x)), image);
-      }
-      largest = image.norm() / std::max(x.norm(), 1e-12F);
-      x = image / std::max(image.norm(), 1e-12F);
+      rays_.along(x, sums_);
+      weigh(sums_, pull_);
+      rays_.spread(pull_, gradient_);
+      largest = gradient_.norm() / std::max(x.norm(), 1e-12F);
+      x = gradient_ / std::max(gradient_.norm(), 1e-12F);
     }
     return 1.05F * largest + static_cast<float>(4.0 * config_.straightness / kSoftChange);
   }
 
   void iterate(float bound) {
+    const float step = 1.0F / bound;
+    const Vector threshold = static_cast<float>(config_.sparsity) * step * weight_;
     Vector ahead = loss_;
+    Vector moved;
     double momentum = 1.0;
-    const auto sparsity = static_cast<float>(config_.sparsity);
     for (int i = 0; i < config_.iterations && !stop_; ++i) {
-      const Vector moved =
-          (ahead - (gradientAt(ahead) + sparsity * weight_) / bound).cwiseMax(0.0F);
+      differentiateAt(ahead);
+      moved = (ahead - step * gradient_ - threshold).cwiseMax(0.0F);
       const double next = 0.5 * (1.0 + std::sqrt(1.0 + 4.0 * momentum * momentum));
       ahead = moved + static_cast<float>((momentum - 1.0) / next) * (moved - loss_);
-      loss_ = moved;
+      loss_.swap(moved);
       momentum = next;
     }
   }
 
   void reweight() {
-    for (std::size_t i = 0; i < unknowns_.cells().size(); ++i) {
-      const Unknowns::Place& place = unknowns_.cells()[i];
+    const LineField found = field();
+    rays_.unknowns().forEach([&](Eigen::Index i, bool across_x, Cell c) {
+      const Grid<float>& loss = across_x ? found.across_x : found.across_y;
+      const std::int64_t reach_x = across_x ? kReweightAcross : kReweightAlong;
+      const std::int64_t reach_y = across_x ? kReweightAlong : kReweightAcross;
       float sum = 0.0F;
-      for (std::int64_t across = -kReweightAcross; across <= kReweightAcross; ++across) {
-        const Unknowns::Place row{place.direction, Unknowns::across(place, across)};
-        for (std::int64_t along = -kReweightAlong; along <= kReweightAlong; ++along) {
-          const std::int32_t id = unknowns_.find(place.direction, Unknowns::along(row, along));
-          sum += id == Unknowns::kNone ? 0.0F : loss_[id];
+      Cell at;
+      for (at.y = c.y - reach_y; at.y <= c.y + reach_y; ++at.y) {
+        for (at.x = c.x - reach_x; at.x <= c.x + reach_x; ++at.x) {
+          sum += geometry_.contains(at) ? loss[at] : 0.0F;
         }
       }
       constexpr auto kCells =
           static_cast<float>((2 * kReweightAlong + 1) * (2 * kReweightAcross + 1));
-      weight_[static_cast<Eigen::Index>(i)] =
+      weight_[i] =
           std::clamp(2.0F / (1.0F + kReweightGain * sum / kCells), kLeastWeight, kMostWeight);
-    }
+    });
   }
 
-  const GridGeometry& geometry_;
+  LineField field() const {
+    LineField field(geometry_);
+    rays_.unknowns().forEach([&](Eigen::Index i, bool across_x, Cell c) {
+      (across_x ? field.across_x : field.across_y)[c] = loss_[i];
+    });
+    return field;
+  }
+
   const LineFieldConfig& config_;
   const std::atomic<bool>& stop_;
-  Unknowns unknowns_;
-  std::vector<Rays> rays_;
-  std::vector<Neighbours> neighbours_;
+  const GridGeometry& geometry_;
+  Rays rays_;
+  std::vector<Heard> heard_;
+  Vector unexplained_;        // signals less those expected without walls [dB], by ray
+  Eigen::ArrayXf continued_;  // straightness between an unknown and the next; 0 if it goes not on
   Vector loss_;
   Vector weight_;
+  Vector sums_, pull_, gradient_;  // kept for their memory alone, as is this:
+  Eigen::ArrayXf change_;
 };
 
 }  // namespace

@@ -1,64 +1,60 @@
 #include "line_rays.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace sfw {
-namespace {
 
-SignalPrecision precisionOf(const HeardAccessPoint& heard, const ShadowingModel& model) {
-  std::vector<Position> places;
-  std::vector<double> noise;
-  std::vector<double> loss;
-  for (const RadioBin& bin : heard.bins) {
-    places.push_back(bin.place);
-    noise.push_back(heard.noise_db2 / bin.readings);
-    loss.push_back(logDistance(heard, bin.place));
+Unknowns::Unknowns(const GridGeometry& geometry)
+    : width_(geometry.width()), height_(geometry.height()), number_(2 * geometry.size(), kNone) {}
+
+void Unknowns::number() {
+  for (std::size_t slot = 0; slot < number_.size(); ++slot) {
+    if (number_[slot] != kNone) {
+      number_[slot] = static_cast<std::int32_t>(slots_.size());
+      slots_.push_back(static_cast<std::int32_t>(slot));
+    }
   }
-  return {places, noise, loss, model};
 }
 
-}  // namespace
+Eigen::ArrayXf Unknowns::continued() const {
+  Eigen::ArrayXf continued =
+      Eigen::ArrayXf::Zero(std::max<Eigen::Index>(static_cast<Eigen::Index>(slots_.size()) - 1, 0));
+  for (std::size_t i = 0; i + 1 < slots_.size(); ++i) {
+    const std::int64_t line = isAcrossX(slots_[i]) ? height_ : width_;
+    const std::int64_t place = isAcrossX(slots_[i]) ? slots_[i] : slots_[i] - width_ * height_;
+    const bool ends = (place + 1) % line == 0;
+    continued[static_cast<Eigen::Index>(i)] = slots_[i + 1] == slots_[i] + 1 && !ends ? 1.0F : 0.0F;
+  }
+  return continued;
+}
 
-Rays::Rays(const GridGeometry& geometry, const HeardAccessPoint& heard, const ShadowingModel& model,
-           Unknowns& unknowns)
-    : begin_{0}, precision_(precisionOf(heard, model)) {
-  unexplained_.resize(static_cast<Eigen::Index>(heard.bins.size()));
-  for (std::size_t i = 0; i < heard.bins.size(); ++i) {
-    const RadioBin& bin = heard.bins[i];
-    forEachLine(geometry, heard.position, bin.place, [&](bool across_x, Cell cell) {
-      const std::int32_t id =
-          unknowns.at(across_x ? Direction::kAcrossX : Direction::kAcrossY, cell);
-      if (id != Unknowns::kNone) {
-        crossed_.push_back(id);
+Rays::Rays(const GridGeometry& geometry, const std::vector<HeardAccessPoint>& heard,
+           const Mask& driven, const std::atomic<bool>& stop)
+    : unknowns_(geometry) {
+  SparseSums::Choice crossed;  // slots by ray
+  for (const HeardAccessPoint& one : heard) {
+    for (const RadioBin& bin : one.bins) {
+      if (stop) {
+        return;
       }
-    });
-    begin_.push_back(crossed_.size());
-    const double loss = logDistance(heard, bin.place);
-    unexplained_[static_cast<Eigen::Index>(i)] =
-        bin.rssi_dbm - (kPriorPower - kPriorExponent * loss);
-  }
-}
-
-Eigen::VectorXd Rays::along(const Eigen::VectorXf& x) const {
-  Eigen::VectorXd sums(static_cast<Eigen::Index>(size()));
-  for (std::size_t ray = 0; ray < size(); ++ray) {
-    float even = 0.0F, odd = 0.0F;  // two, as each addition waits for the one before
-    std::size_t i = begin_[ray];
-    for (; i + 1 < begin_[ray + 1]; i += 2) {
-      even += x[crossed_[i]];
-      odd += x[crossed_[i + 1]];
-    }
-    even += i < begin_[ray + 1] ? x[crossed_[i]] : 0.0F;
-    sums[static_cast<Eigen::Index>(ray)] = static_cast<double>(even + odd);
-  }
-  return sums;
-}
-
-void Rays::spread(const Eigen::VectorXd& values, Eigen::VectorXf& sums) const {
-  for (std::size_t ray = 0; ray < size(); ++ray) {
-    const auto value = static_cast<float>(values[static_cast<Eigen::Index>(ray)]);
-    for (std::size_t i = begin_[ray]; i < begin_[ray + 1]; ++i) {
-      sums[crossed_[i]] += value;
+      const auto ray = static_cast<std::int32_t>(size_++);
+      forEachLine(geometry, one.position, bin.place, [&](bool across_x, Cell cell) {
+        if (driven[cell] == 0) {
+          const std::int32_t slot = unknowns_.slot(across_x, cell);
+          unknowns_.add(slot);
+          crossed.sum.push_back(ray);
+          crossed.term.push_back(slot);
+        }
+      });
     }
   }
+  unknowns_.number();
+  for (std::int32_t& slot : crossed.term) {
+    slot = unknowns_.in(slot);
+  }
+  along_ = SparseSums(size_, unknowns_.size(), crossed);
+  spread_ = SparseSums(unknowns_.size(), size_, SparseSums::transposed(std::move(crossed)));
 }
 
 }  // namespace sfw

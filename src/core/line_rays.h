@@ -1,97 +1,99 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "sparse_sums.h"
 #include "structure_from_wifi/line_field.h"
 
 namespace sfw {
 
-/// The direction that rays cross a wall in.
-enum class Direction { kAcrossX, kAcrossY };
-
-/// The unknowns: cells that some ray crosses and no robot has covered, in both directions.
+/// The unknowns: pieces of wall that some ray crosses and that stand where no robot was.
+///
+/// Numbered wall line by wall line, so what continues a piece has the next number, and nothing that
+/// is done to neighbours along a wall has to look them up.
 class Unknowns {
  public:
-  Unknowns(const GridGeometry& geometry, const Mask& driven)
-      : geometry_(geometry),
-        driven_(driven),
-        id_{Grid<std::int32_t>(geometry, kNone), Grid<std::int32_t>(geometry, kNone)} {}
+  /// @param geometry  must outlive this
+  explicit Unknowns(const GridGeometry& geometry);
 
   static constexpr std::int32_t kNone = -1;
 
-  /// The unknown of a cell of the grid, made if need be; kNone if the robot was there.
-  std::int32_t at(Direction direction, Cell cell) {
-    if (driven_[cell] != 0) {
-      return kNone;
-    }
-    std::int32_t& id = ids(direction)[cell];
-    if (id == kNone) {
-      id = static_cast<std::int32_t>(cells_.size());
-      cells_.push_back({direction, cell});
-    }
-    return id;
+  /// Place of a piece among all that the grid could have, along its wall line.
+  std::int32_t slot(bool across_x, Cell cell) const {
+    return static_cast<std::int32_t>(across_x ? cell.x * height_ + cell.y
+                                              : (height_ + cell.y) * width_ + cell.x);
   }
 
-  std::int32_t find(Direction direction, Cell cell) const {
-    return geometry_.contains(cell) ? ids(direction)[cell] : kNone;
-  }
+  /// Makes a slot's piece an unknown.
+  void add(std::int32_t slot) { number_[static_cast<std::size_t>(slot)] = 0; }
 
-  struct Place {
-    Direction direction;
-    Cell cell;
-  };
-  const std::vector<Place>& cells() const { return cells_; }
+  /// Gives all unknowns their numbers, once all are added.
+  void number();
 
-  /// The next cell along the wall that an unknown is part of.
-  static Cell along(const Place& place, std::int64_t step) {
-    return place.direction == Direction::kAcrossX ? Cell{place.cell.x, place.cell.y + step}
-                                                  : Cell{place.cell.x + step, place.cell.y};
-  }
-  static Cell across(const Place& place, std::int64_t step) {
-    return place.direction == Direction::kAcrossX ? Cell{place.cell.x + step, place.cell.y}
-                                                  : Cell{place.cell.x, place.cell.y + step};
-  }
+  std::size_t size() const { return slots_.size(); }
+
+  /// The unknown in a slot, or kNone.
+  std::int32_t in(std::int32_t slot) const { return number_[static_cast<std::size_t>(slot)]; }
+
+  /// For each unknown but the last one whether the next one continues its wall: 1 or 0.
+  Eigen::ArrayXf continued() const;
+
+  /// Calls `visit(number, across_x, Cell)` for each unknown.
+  template <class Visitor>
+  void forEach(Visitor&& visit) const;
 
  private:
-  Grid<std::int32_t>& ids(Direction direction) { return id_[static_cast<std::size_t>(direction)]; }
-  const Grid<std::int32_t>& ids(Direction direction) const {
-    return id_[static_cast<std::size_t>(direction)];
-  }
+  bool isAcrossX(std::int32_t slot) const { return slot < width_ * height_; }
 
-  const GridGeometry& geometry_;
-  const Mask& driven_;
-  Grid<std::int32_t> id_[2];
-  std::vector<Place> cells_;
+  std::int64_t width_;
+  std::int64_t height_;
+  std::vector<std::int32_t> number_;  // by slot
+  std::vector<std::int32_t> slots_;   // by number
 };
 
-/// One access point's rays: the unknowns that each crosses, and what is heard at its end.
+/// All access points' rays, one after another, and the unknowns that each of them crosses.
 class Rays {
  public:
-  /// Makes the unknowns that its rays cross.
-  Rays(const GridGeometry& geometry, const HeardAccessPoint& heard, const ShadowingModel& model,
-       Unknowns& unknowns);
+  /// @param driven  cells where no wall can stand
+  /// @param stop    polled; when it turns true there are no unknowns
+  Rays(const GridGeometry& geometry, const std::vector<HeardAccessPoint>& heard, const Mask& driven,
+       const std::atomic<bool>& stop);
 
-  const SignalPrecision& precision() const { return precision_; }
+  const Unknowns& unknowns() const { return unknowns_; }
 
-  /// Signals less those that would be expected without walls [dB].
-  const Eigen::VectorXd& unexplained() const { return unexplained_; }
+  /// How many rays there are.
+  std::size_t size() const { return size_; }
 
-  /// Sum of `x` over the cells that each ray crosses.
-  Eigen::VectorXd along(const Eigen::VectorXf& x) const;
+  /// Sets `sums` to those of `x` over the unknowns that each ray crosses.
+  void along(const Eigen::VectorXf& x, Eigen::VectorXf& sums) const { along_.of(x, sums); }
 
-  /// Adds each ray's value to the cells that it crosses.
-  void spread(const Eigen::VectorXd& values, Eigen::VectorXf& sums) const;
+  /// Sets `sums` to those of `values` over the rays that cross each unknown.
+  void spread(const Eigen::VectorXf& values, Eigen::VectorXf& sums) const {
+    spread_.of(values, sums);
+  }
 
  private:
-  std::size_t size() const { return begin_.size() - 1; }
-
-  std::vector<std::size_t> begin_;     // of each ray in `crossed_`, and the end
-  std::vector<std::int32_t> crossed_;  // unknowns
-  SignalPrecision precision_;
-  Eigen::VectorXd unexplained_;
+  Unknowns unknowns_;
+  std::size_t size_ = 0;
+  SparseSums along_;
+  SparseSums spread_;
 };
+
+template <class Visitor>
+void Unknowns::forEach(Visitor&& visit) const {
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    const std::int64_t slot = slots_[i];
+    if (isAcrossX(slots_[i])) {
+      visit(static_cast<Eigen::Index>(i), true, Cell{slot / height_, slot % height_});
+    } else {
+      const std::int64_t row_major = slot - width_ * height_;
+      visit(static_cast<Eigen::Index>(i), false, Cell{row_major % width_, row_major / width_});
+    }
+  }
+}
 
 }  // namespace sfw

@@ -85,7 +85,7 @@ std::shared_ptr<const Snapshot> Mapper::infer(Hearing hearing,
   const std::vector<Reading> kept = readings();
   Snapshot snapshot{BeliefMap(geometry_, config_.belief), pathOf(kept), {}, rejections_, {}};
   std::vector<Series> heard = seriesOf(kept);
-  snapshot.access_points = placed(heard);
+  snapshot.access_points = placed(heard, stop);
   if (config_.method == "tomography") {
     inferByTomography(heard, hearing, stop, snapshot);
   } else {
@@ -103,12 +103,13 @@ std::vector<Sample> Mapper::samplesOf(const Series& series) {
   return samples;
 }
 
-std::vector<AccessPointSummary> Mapper::placed(std::vector<Series>& heard) const {
+std::vector<AccessPointSummary> Mapper::placed(std::vector<Series>& heard,
+                                               const std::atomic<bool>& stop) const {
   std::vector<AccessPointSummary> summaries;
   for (std::size_t i = 0; i < heard.size(); ++i) {
     AccessPointSummary summary{access_points_[i], heard[i].poses.size(), {}};
     AccessPoint& access_point = summary.access_point;
-    if (!access_point.position_known) {
+    if (!access_point.position_known && !stop) {
       summary.estimate = estimateAccessPoint(samplesOf(heard[i]), access_point.height_m);
       if (summary.estimate) {
         access_point.position = summary.estimate->position;

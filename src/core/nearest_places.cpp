@@ -4,6 +4,13 @@
 #include <cmath>
 
 namespace sfw {
+namespace {
+
+/// Edge of a cell, in spacings of the places: with four of them in a cell, searches among few of
+/// the places look at few cells, and those among all at few places.
+constexpr double kCellEdge = 2.0;
+
+}  // namespace
 
 NearestPlaces::NearestPlaces(const std::vector<Position>& places)
     : places_(places), next_(places.size(), -1) {
@@ -16,7 +23,8 @@ NearestPlaces::NearestPlaces(const std::vector<Position>& places)
     const Position size = box.sizes();
     least_ = box.min();
     // The second bounds the number of cells where all places lie on a line.
-    const double edge = std::max(std::sqrt(size.prod() / count), size.maxCoeff() / count);
+    const double edge =
+        kCellEdge * std::max(std::sqrt(size.prod() / count), size.maxCoeff() / count);
     edge_ = edge > 0.0 ? edge : 1.0;
     width_ = cellOf(box.max().x(), least_.x()) + 1;
     height_ = cellOf(box.max().y(), least_.y()) + 1;
@@ -41,13 +49,17 @@ void NearestPlaces::lookIn(std::int64_t x, std::int64_t y, const Position& to, s
        place = next_[static_cast<std::size_t>(place)]) {
     const std::pair<double, int> one((places_[static_cast<std::size_t>(place)] - to).squaredNorm(),
                                      place);
-    if (found_.size() == count) {
-      if (!(one < found_.back())) {
-        continue;
-      }
-      found_.pop_back();
+    if (found_.size() == count && !(one < found_.back())) {
+      continue;
     }
-    found_.insert(std::upper_bound(found_.begin(), found_.end(), one), one);
+    if (found_.size() < count) {
+      found_.emplace_back();
+    }
+    std::size_t at = found_.size() - 1;
+    for (; at > 0 && one < found_[at - 1]; --at) {
+      found_[at] = found_[at - 1];
+    }
+    found_[at] = one;
   }
 }
 

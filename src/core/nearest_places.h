@@ -11,8 +11,8 @@ namespace sfw {
 
 /// Finds the nearest among places that are entered one by one.
 ///
-/// Places lie in square cells, about one in each; searches go outwards in rings of cells. Exact. A
-/// search among a share s of places spread evenly looks at about `count` / s cells.
+/// Places lie in square cells, about four in each; searches go outwards in rings of cells. Exact. A
+/// search among a share s of places spread evenly looks at about `count` / (4 s) cells.
 class NearestPlaces {
  public:
   /// @param places  all that can be entered, finite; must outlive this

@@ -71,6 +71,11 @@ HeardAccessPoint binned(const std::vector<Sample>& samples, const Position& acce
   return heard;
 }
 
+Eigen::ArrayXd spaceDistance(const Eigen::ArrayXd& squares_m2, std::optional<double> height_m) {
+  const double rise = height_m ? *height_m - kAntennaHeight : 0.0;
+  return (squares_m2.max(kNearest * kNearest) + rise * rise).sqrt();
+}
+
 double logDistance(const HeardAccessPoint& access_point, const Position& place) {
   const double on_floor = std::max((place - access_point.position).norm(), kNearest);
   const double distance = access_point.height_m

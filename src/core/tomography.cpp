@@ -211,7 +211,7 @@ DescribedDrive describeDrive(const MappedDrive& drive, const Config& config,
   const DrivenPath path = drivenPath(geometry, std::move(driven), config.inference);
   WallField walls = estimateWalls(geometry, heard, path.cells, path.robot_radius_m,
                                   wallFieldConfig(config.tomography), stop);
-  CellFeatures cells = describeCells(path, heard, walls);
+  CellFeatures cells = describeCells(path, heard, walls, stop);
   return {frame, std::move(heard), std::move(walls), std::move(cells)};
 }
 
@@ -223,6 +223,10 @@ FusedBelief fuse(const GridGeometry& geometry, const MappedDrive& drive, const B
     return belief;
   }
   const DescribedDrive described = describeDrive(drive, config, stop);
+  if (stop) {
+    belief.sample_loss.resize(drive.heard.size());
+    return belief;
+  }
   belief.frame = described.frame;
   belief.follows_walls = model.followsWalls(described.cells.style);
   belief.explained = described.cells.explained;

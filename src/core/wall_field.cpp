@@ -109,7 +109,7 @@ WallField estimateWalls(const GridGeometry& geometry, const std::vector<HeardAcc
                        coarsened(distance, lattice, robot_radius), config.line, stop);
     addTo(result.loss, field, static_cast<float>(share));
     for (std::size_t i = 0; i < heard.size(); ++i) {
-      for (std::size_t j = 0; j < heard[i].bins.size(); ++j) {
+      for (std::size_t j = 0; j < heard[i].bins.size() && !stop; ++j) {
         result.ray_loss[i][j] +=
             share * lossBetween(field, heard[i].position, heard[i].bins[j].place);
       }

@@ -99,6 +99,15 @@ class LiveMappingTest : public NodeletWorld {
     scans_.publish(scan);
     ros::WallDuration(0.03).sleep();
   }
+
+  double secondsToUnloadAtWork() {
+    load();
+    for (int leg = 0; leg < kLegs; ++leg) {
+      sendLeg(leg);
+    }
+    ros::WallDuration(0.3).sleep();
+    return secondsToUnload();
+  }
 };
 
 TEST_F(LiveMappingTest, AnswersAndTakesReadingsWhileItMaps) {
@@ -141,6 +150,17 @@ TEST_F(LiveMappingTest, AResetOutdatesTheMapThatIsBeingMade) {
   EXPECT_TRUE(reset.response.success);
   EXPECT_TRUE(spinUntil([&] { return !knows(); }, 5.0));
   EXPECT_FALSE(spinUntil(knows, 2.0)) << "a map of before the reset came after it";
+}
+
+TEST_F(LiveMappingTest, UnloadsWithinASecondWhileItSolvesForWalls) {
+  ros::param::set(name_ + "/mapping/tomography/members", 100);
+  EXPECT_LT(secondsToUnloadAtWork(), 1.0);
+}
+
+TEST_F(LiveMappingTest, UnloadsWithinASecondWhileItDescribesCells) {
+  ros::param::set(name_ + "/mapping/tomography/members", 1);
+  ros::param::set(name_ + "/mapping/map/resolution", 0.02);
+  EXPECT_LT(secondsToUnloadAtWork(), 1.0);
 }
 
 }  // namespace

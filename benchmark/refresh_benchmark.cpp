@@ -1,0 +1,261 @@
+// How much CPU time the mapper spends to refresh a live map of a long drive, by stages, beside the
+// same solution written down plainly in the same run: each ray walked anew in each iteration, and
+// products with the dense precision. That stays apart from how fast the machine is.
+//
+// Usage: refresh_benchmark
+// Runs on a drive through a made-up office floor of 400 m2 with three access points, cut after 5,
+// 10, 30 and 60 minutes. All is counted on one core: the process has one thread.
+
+#include <octomap/OcTree.h>
+#include <ros/serialization.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <ctime>
+#include <exception>
+#include <limits>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "message_conversion.h"
+#include "structure_from_wifi/mapper.h"
+#include "structure_from_wifi/octomap_export.h"
+#include "structure_from_wifi/plan_generator.h"
+#include "structure_from_wifi/route_planner.h"
+#include "structure_from_wifi/scenario.h"
+#include "structure_from_wifi/tomography.h"
+
+namespace sfw {
+namespace {
+
+constexpr int kRepetitions = 3;  // the least counts: the others were disturbed
+constexpr double kMinute = 60.0;
+constexpr double kLongest = 60.0 * kMinute;
+constexpr double kRobotRadius = 0.15;  // [m]
+
+volatile double consumed = 0.0;  // so that nothing is optimised away
+
+template <class Work>
+double cpuSeconds(Work&& work, int repetitions = kRepetitions) {
+  double best = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < repetitions; ++i) {
+    const std::clock_t start = std::clock();
+    consumed = consumed + work();
+    best = std::min(best, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+  }
+  return best;
+}
+
+/// Along the walls of all rooms, then on patrol, then along the walls at another clearance, and so
+/// on: no two laps hear the same places.
+Scenario longDrive() {
+  PlanGeneratorConfig building;
+  building.kind = BuildingKind::kOffice;
+  building.area = 400.0;
+  ScenarioConfig config;
+  config.access_points = 3;
+  config.robot_radius = kRobotRadius;
+  Scenario scenario = makeScenario(generatePlan(building).plan, {}, config);
+  const Grid<CellState> states = toStates(scenario.plan);
+  for (const double clearance : {0.3, 0.2, 0.4}) {
+    for (const RouteKind kind : {RouteKind::kSparse, RouteKind::kWalls}) {
+      const RecordingConfig& recording = scenario.recording;
+      if (Route(scenario.way_points, recording.speed, recording.yaw_rate).duration() < kLongest) {
+        const std::vector<Position> lap =
+            planRoute(states, kind, {kRobotRadius, clearance, scenario.way_points.back()});
+        scenario.way_points.insert(scenario.way_points.end(), lap.begin() + 1, lap.end());
+      }
+    }
+  }
+  return scenario;
+}
+
+/// What the nodelet does with a map before it is on its way.
+double publishedBytes(const Snapshot& snapshot) {
+  std_msgs::Header header;
+  header.frame_id = "map";
+  double bytes = 0.0;
+  const auto send = [&](const auto& message) {
+    bytes += static_cast<double>(ros::serialization::serializeMessage(message).num_bytes);
+  };
+  send(toTrinaryGrid(snapshot.belief, header));
+  send(toProbabilityGrid(snapshot.belief, header));
+  send(toPath(snapshot, header));
+  send(toMarkers(snapshot, header));
+  send(toAccessPoints(snapshot, header));
+  return bytes;
+}
+
+/// What it does besides while somebody listens to OctoMaps.
+double octomapBytes(const Snapshot& snapshot) {
+  const auto tree = toOctomap(snapshot.belief, Config().octomap);
+  return static_cast<double>(toBinaryOctomap(*tree, {}).data.size() +
+                             toFullOctomap(*tree, {}).data.size());
+}
+
+MappedDrive mappedDrive(const Mapper& mapper, const std::vector<AccessPoint>& access_points) {
+  MappedDrive drive;
+  drive.heard.resize(access_points.size());
+  for (std::size_t i = 0; i < access_points.size(); ++i) {
+    drive.heard[i].access_point_in_map = access_points[i].position;
+    drive.heard[i].height_m = access_points[i].height_m;
+  }
+  for (const Reading& reading : mapper.readings()) {
+    if (drive.path.empty() || drive.path.back() != reading.antenna_in_map) {
+      drive.path.push_back(reading.antenna_in_map);
+    }
+    for (std::size_t i = 0; i < access_points.size(); ++i) {
+      if (access_points[i].bssid == reading.bssid) {
+        drive.heard[i].samples.push_back({reading.antenna_in_map, reading.rssi_dbm});
+      }
+    }
+  }
+  return drive;
+}
+
+SignalPrecision precisionOf(const HeardAccessPoint& heard, std::size_t count,
+                            const ShadowingModel& model) {
+  std::vector<Position> places;
+  std::vector<double> noise, loss;
+  for (std::size_t i = 0; i < count; ++i) {
+    places.push_back(heard.bins[i].place);
+    noise.push_back(heard.noise_db2 / heard.bins[i].readings);
+    loss.push_back(logDistance(heard, heard.bins[i].place));
+  }
+  return {places, noise, loss, model};
+}
+
+/// One gradient, the plain way, as many times as all members need; the set-up is not counted.
+double plainSeconds(const std::vector<HeardAccessPoint>& heard, const WallFieldConfig& config) {
+  double sum = 0.0;
+  for (const HeardAccessPoint& one : heard) {
+    Box box(one.position);
+    for (const RadioBin& bin : one.bins) {
+      box.extend(bin.place);
+    }
+    LineField field(
+        GridGeometry::covering(box, config.line_resolution, config.line_resolution, 10000000));
+    const auto size =
+        static_cast<Eigen::Index>((1.0 - config.left_out) * static_cast<double>(one.bins.size()));
+    const Eigen::MatrixXd precision = Eigen::MatrixXd::Constant(size, size, 0.5);
+    const GridGeometry geometry = field.across_x.geometry;
+    sum += cpuSeconds([&] {
+      Eigen::VectorXd losses(size);
+      for (Eigen::Index i = 0; i < size; ++i) {
+        losses[i] = lossBetween(field, one.position, one.bins[static_cast<std::size_t>(i)].place);
+      }
+      const Eigen::VectorXd pull = precision * losses;
+      for (Eigen::Index i = 0; i < size; ++i) {
+        forEachLine(geometry, one.position, one.bins[static_cast<std::size_t>(i)].place,
+                    [&](bool across_x, Cell c) {
+                      (across_x ? field.across_x : field.across_y)[c] +=
+                          static_cast<float>(pull[i]);
+                    });
+      }
+      return static_cast<double>(field.across_x.cells.front());
+    });
+  }
+  return sum * 2.0 * config.line.iterations * config.members;
+}
+
+/// The path's cells: those that are no way from it.
+Mask pathCells(const CellFeatures& cells) {
+  const auto& names = cellFeatureNames();
+  const auto distance =
+      std::find_if(names.begin(), names.end(),
+                   [](const char* name) { return std::string_view(name) == "path_distance"; }) -
+      names.begin();
+  Mask path(cells.geometry);
+  for (std::size_t i = 0; i < cells.cells.size(); ++i) {
+    path.cells[cells.cells[i]] = cells.values[i][static_cast<std::size_t>(distance)] == 0.0F;
+  }
+  return path;
+}
+
+void measure(double minutes, const Mapper& mapper, const std::vector<AccessPoint>& access_points) {
+  const Config config;
+  const std::atomic<bool> never{false};
+  const MappedDrive drive = mappedDrive(mapper, access_points);
+  const DescribedDrive described = describeDrive(drive, config, never);
+  WallFieldConfig walls;
+  walls.line.saturation_db = std::numeric_limits<double>::infinity();
+  walls.line.shadowing.unexplained_db2 =
+      config.tomography.unexplained * config.tomography.unexplained;
+  const DrivenPath path{pathCells(described.cells),
+                        [&] {
+                          std::vector<Position> driven;
+                          for (const Position& position : drive.path) {
+                            driven.push_back(described.frame.toBuilding(position));
+                          }
+                          return driven;
+                        }(),
+                        config.inference.max_gap, config.inference.footprint_radius};
+
+  std::size_t bins = 0;
+  double precision = 0.0;
+  for (const HeardAccessPoint& one : described.heard) {
+    bins += one.bins.size();
+    const auto part =
+        static_cast<std::size_t>((1.0 - walls.left_out) * static_cast<double>(one.bins.size()));
+    precision += walls.members * cpuSeconds([&] {
+                   return precisionOf(one, part, walls.line.shadowing)
+                       .times(Eigen::VectorXd::Ones(static_cast<Eigen::Index>(part)))
+                       .sum();
+                 });
+  }
+  const double wall_field = cpuSeconds([&] {
+    return estimateWalls(path.cells.geometry, described.heard, path.cells, path.robot_radius_m,
+                         walls, never)
+        .ray_loss[0][0];
+  });
+  const double features = cpuSeconds([&] {
+    return static_cast<double>(
+        describeCells(path, described.heard, described.walls, never).values[0][0]);
+  });
+  const std::shared_ptr<const Snapshot> snapshot = mapper.infer();
+  const double inference = cpuSeconds([&] {
+    return static_cast<double>(mapper.infer()->belief.occupied({0, 0}));
+  });
+  const double publishing = cpuSeconds([&] { return publishedBytes(*snapshot); });
+  const double octomaps = cpuSeconds([&] { return octomapBytes(*snapshot); });
+  const double refresh = inference + publishing;
+  const double plain = plainSeconds(described.heard, walls);
+  std::printf(
+      "| %.0f min | %zu | %zu | %zu | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.1f | %.1f "
+      "|\n",
+      minutes, mapper.readings().size(), bins, described.cells.cells.size(), precision, wall_field,
+      features, inference - wall_field - features, publishing, refresh, octomaps, plain,
+      plain / refresh);
+}
+
+}  // namespace
+}  // namespace sfw
+
+int main() {
+  try {
+    const sfw::Scenario scenario = sfw::longDrive();
+    const sfw::SimulatedRecording recording = sfw::simulate(scenario);
+    std::puts(
+        "| drive | readings | bins | cells judged | precisions [s] | walls, with these [s] |"
+        " features [s] | rest [s] | publishing [s] | refresh [s] | OctoMaps, if heard [s] | plain "
+        "[s] | plain : refresh |\n"
+        "|---|---|---|---|---|---|---|---|---|---|---|---|---|");
+    for (const double minutes : {5.0, 10.0, 30.0, 60.0}) {
+      sfw::Mapper mapper(sfw::Config(), scenario.access_points);
+      for (const sfw::Reading& reading : recording.readings) {
+        if (static_cast<double>(reading.stamp_ns) * 1e-9 <
+            scenario.recording.start + minutes * sfw::kMinute) {
+          mapper.insert(reading);
+        }
+      }
+      sfw::measure(minutes, mapper, scenario.access_points);
+    }
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "refresh_benchmark: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}
