@@ -21,7 +21,9 @@ constexpr Column kColumns[] = {{"free_precision", "free P"},
                                {"leak", "leak"},
                                {"auc", "AUC"},
                                {"radio_auc", "radio AUC"},
-                               {"radio_auc_off_path", "radio AUC off path"}};
+                               {"radio_auc_off_path", "radio AUC off path"},
+                               {"radio_wall_f1_2", "radio walls F1"},
+                               {"radio_wall_f1_4", "within 0.2 m"}};
 
 /// A row of a table: one kind of map on one level, over plans and seeds.
 struct Row {

@@ -50,8 +50,9 @@ BeliefModel::Weights parseWeights(const YAML::Node& node) {
   BeliefModel::Weights weights;
   weights.intercept = node["intercept"].as<double>();
   if (node.size() != kCellFeatures + 1) {
-    throw std::invalid_argument("a model must weigh the intercept and each of the " +
-                                std::to_string(kCellFeatures) + " features once");
+    throw std::invalid_argument(
+        "a model must weigh the intercept and each of the " + std::to_string(kCellFeatures) +
+        " features once; one of another version can be made anew by sfw fit");
   }
   for (std::size_t i = 0; i < kCellFeatures; ++i) {
     const char* name = cellFeatureNames()[i];

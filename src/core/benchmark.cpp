@@ -113,7 +113,10 @@ class Benchmark {
 std::vector<BenchmarkMethod> benchmarkMethods() {
   return {
       {"tomography", "fused belief", false, [](Config& config) { config.method = "tomography"; }},
-      {"k_visibility", "K-means k", true, [](Config& config) { config.method = "k_visibility"; }}};
+      {"k_visibility", "K-means k", true, [](Config& config) {
+         config.method = "k_visibility";
+         config.belief.free_threshold = 0.35;  // as in config/k_visibility.yaml
+       }}};
 }
 
 std::vector<BenchmarkMethod> benchmarkMethods(const std::vector<std::string>& names) {
