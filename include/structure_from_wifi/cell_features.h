@@ -46,4 +46,7 @@ struct DrivenPath {
 CellFeatures describeCells(const DrivenPath& path, const std::vector<HeardAccessPoint>& heard,
                            const WallField& walls, const std::atomic<bool>& stop);
 
+/// Cuts the share that walls explain, and the features that it weighs.
+void cutExplained(double least, double most, CellFeatures& features);
+
 }  // namespace sfw

@@ -40,7 +40,7 @@ struct ProbabilityFigures {
 };
 
 /// How well what the radio alone says tells walls from free space, over the cells that a ray
-/// crosses. It calls a wall where the loss is half a dB or more, and half or more of the greatest
+/// crosses. It calls a wall where the loss is 0.6 dB or more, and half or more of the greatest
 /// loss within 0.2 m along the axes; these are compared with the observed walls.
 struct RadioFigures {
   std::optional<double> auc;                 ///< of the wall loss; ties half

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <functional>
-#include <queue>
-#include <utility>
 
 #include "axis_rasters.h"
+#include "cheapest_ways.h"
 #include "ray_evidence.h"
 #include "structure_from_wifi/morphology.h"
 
@@ -15,6 +13,10 @@ namespace sfw {
 namespace {
 
 using Values = Grid<float>;
+
+/// Numbers of the features that wall losses make, and of the first of those made of them.
+constexpr std::array<std::size_t, 4> kOfWalls{10, 12, 13, 14};
+constexpr std::size_t kExplained = 25;
 
 /// Depth inside a set, positive, or distance to it, negative [m]; cut where it stops to matter.
 Values signedDepth(const Mask& set) {
@@ -28,56 +30,6 @@ Values signedDepth(const Mask& set) {
                                         std::min(resolution * to_set.cells[i], kDeepest));
   }
   return depth;
-}
-
-/// The cheapest way from the path to each judged cell.
-struct Ways {
-  Values cost;               ///< [m]
-  Grid<std::size_t> source;  ///< index of the path's cell that it starts from
-};
-
-/// Dijkstra over eight neighbours; a metre costs 1 + 2 for each dB of wall strength there.
-Ways waysFrom(const Mask& path, const Grid<double>& distance, const Values& strength,
-              const std::atomic<bool>& stop) {
-  const GridGeometry& geometry = path.geometry;
-  const double resolution = geometry.resolution();
-  constexpr float kFar = 1e6F;
-  Ways ways{Values(geometry, kFar), Grid<std::size_t>(geometry)};
-  using Entry = std::pair<float, std::size_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-  for (std::size_t i = 0; i < path.cells.size(); ++i) {
-    if (path.cells[i] != 0) {
-      ways.cost.cells[i] = 0.0F;
-      ways.source.cells[i] = i;
-      open.emplace(0.0F, i);
-    }
-  }
-  const auto visit = [&](float so_far, std::size_t at, Cell next, double length) {
-    if (!geometry.contains(next) || distance[next] * resolution > kFarthestJudged) {
-      return;
-    }
-    const float cost = so_far + static_cast<float>(length) * (1.0F + 2.0F * strength[next]);
-    if (cost < ways.cost[next]) {
-      ways.cost[next] = cost;
-      ways.source[next] = ways.source.cells[at];
-      open.emplace(cost, geometry.index(next));
-    }
-  };
-  while (!open.empty() && !stop) {
-    const auto [so_far, at] = open.top();
-    open.pop();
-    if (so_far > ways.cost.cells[at]) {
-      continue;
-    }
-    const Cell c = geometry.cell(at);
-    for (const std::int64_t step : {-1, 1}) {
-      visit(so_far, at, {c.x + step, c.y}, resolution);
-      visit(so_far, at, {c.x, c.y + step}, resolution);
-      visit(so_far, at, {c.x + step, c.y + step}, std::sqrt(2.0) * resolution);
-      visit(so_far, at, {c.x + step, c.y - step}, std::sqrt(2.0) * resolution);
-    }
-  }
-  return ways;
 }
 
 /// 0 for nothing, towards 1 beyond `scale`.
@@ -278,15 +230,24 @@ const std::array<const char*, kCellFeatures>& cellFeatureNames() {
 }
 
 bool usesRadio(std::size_t feature) {
-  static constexpr std::array<std::size_t, 4> kOfRadio{10, 12, 13, 14};
-  static constexpr std::size_t kOfRadioFrom = 25;
-  return feature >= kOfRadioFrom ||
-         std::find(kOfRadio.begin(), kOfRadio.end(), feature) != kOfRadio.end();
+  return feature >= kExplained ||
+         std::find(kOfWalls.begin(), kOfWalls.end(), feature) != kOfWalls.end();
 }
 
 CellFeatures describeCells(const DrivenPath& path, const std::vector<HeardAccessPoint>& heard,
                            const WallField& walls, const std::atomic<bool>& stop) {
   return Describer(path, heard, walls, stop).describe();
+}
+
+void cutExplained(double least, double most, CellFeatures& features) {
+  features.explained = std::clamp(features.explained, least, most);
+  const auto explained = static_cast<float>(features.explained);
+  for (std::array<float, kCellFeatures>& cell : features.values) {
+    cell[kExplained] = explained;
+    for (std::size_t i = 0; i < kOfWalls.size(); ++i) {
+      cell[kExplained + 1 + i] = explained * cell[kOfWalls[i]];
+    }
+  }
 }
 
 }  // namespace sfw

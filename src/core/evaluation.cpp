@@ -181,7 +181,7 @@ Grid<float> greatest(const Grid<float>& values, std::int64_t reach, const Cell& 
 
 /// What the radio alone calls a wall: a loss that counts, and the ridge of it.
 Mask wallsByRadio(const Grid<float>& losses) {
-  constexpr float kLeastLoss = 0.5F;   // [dB]
+  constexpr float kLeastLoss = 0.6F;   // [dB]
   constexpr float kLeastShare = 0.5F;  // of the greatest around
   constexpr std::int64_t kAround = 4;  // cells, 0.2 m
   const Grid<float> around = greatest(greatest(losses, kAround, {1, 0}), kAround, {0, 1});

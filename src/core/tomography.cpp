@@ -18,6 +18,11 @@ constexpr float kContact = 0.95F;    // the robot ran into it
 /// Access points farther than this from the way shape no walls near it [m].
 constexpr double kFarthestAccessPoint = 30.0;
 
+/// Shares of the signals that walls explain, between which most training drives lie. Beyond, as
+/// with signals at wrong places or smoothed ones, the nearer of these is believed in.
+constexpr double kLeastExplained = 0.45;
+constexpr double kMostExplained = 0.7;
+
 /// Registration of path and map blurs what is believed by so much to each side [m].
 constexpr double kBlur = 0.1;
 
@@ -178,8 +183,8 @@ std::vector<std::vector<double>> sampleLosses(const MappedDrive& drive,
                                               const DescribedDrive& described,
                                               const Config::Tomography& config) {
   // The field's cells repeat each line of the coarser lattice that it was solved on.
-  const double share = described.walls.loss.across_x.geometry.resolution() /
-                       wallFieldConfig(config).line_resolution;
+  const double share =
+      described.walls.loss.across_x.geometry.resolution() / wallFieldConfig(config).line_resolution;
   std::vector<std::vector<double>> losses;
   for (std::size_t i = 0; i < drive.heard.size(); ++i) {
     losses.emplace_back();
@@ -222,7 +227,7 @@ FusedBelief fuse(const GridGeometry& geometry, const MappedDrive& drive, const B
     belief.sample_loss.resize(drive.heard.size());
     return belief;
   }
-  const DescribedDrive described = describeDrive(drive, config, stop);
+  DescribedDrive described = describeDrive(drive, config, stop);
   if (stop) {
     belief.sample_loss.resize(drive.heard.size());
     return belief;
@@ -230,6 +235,7 @@ FusedBelief fuse(const GridGeometry& geometry, const MappedDrive& drive, const B
   belief.frame = described.frame;
   belief.follows_walls = model.followsWalls(described.cells.style);
   belief.explained = described.cells.explained;
+  cutExplained(kLeastExplained, kMostExplained, described.cells);
   const Grid<float> free = freeProbability(described, model, belief.follows_walls, radio);
   belief.occupied = onMap(geometry, free, described.frame, 0.5F);
   for (float& occupied : belief.occupied.cells) {
