@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "random_streams.h"
+#include "range_check.h"
 #include "structure_from_wifi/input_error.h"
 #include "structure_from_wifi/random.h"
 
@@ -157,13 +158,7 @@ std::optional<double> RadioModel::rssi(std::size_t access_point, const RobotPose
 
 std::vector<std::string> validate(const RadioModel::Config& config) {
   std::vector<std::string> problems;
-  const auto require = [&](double value, double low, double high, const char* name) {
-    if (!(value >= low && value <= high)) {
-      char text[96];
-      std::snprintf(text, sizeof text, "%s must lie in %g..%g", name, low, high);
-      problems.emplace_back(text);
-    }
-  };
+  const RangeCheck require(problems);
   constexpr double kMostLoss = 100.0, kMostDeviation = 30.0;
   require(config.rssi_at_1m, -119.0, 0.0, "rssi_at_1m");
   require(config.exponent, 0.0, 10.0, "exponent");

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "random_streams.h"
+#include "range_check.h"
 #include "structure_from_wifi/input_error.h"
 #include "structure_from_wifi/random.h"
 
@@ -61,13 +61,7 @@ std::vector<Chance> chancesToHear(std::size_t access_points, double duration_s,
 
 std::vector<std::string> validate(const RecordingConfig& config) {
   std::vector<std::string> problems;
-  const auto require = [&](double value, double low, double high, const char* name) {
-    if (!(value >= low && value <= high)) {
-      char text[96];
-      std::snprintf(text, sizeof text, "%s must lie in %g..%g", name, low, high);
-      problems.emplace_back(text);
-    }
-  };
+  const RangeCheck require(problems);
   require(config.speed, 0.01, 10.0, "speed");
   require(config.yaw_rate, 0.01, 100.0, "yaw_rate");
   require(config.link_rate, 0.01, 1000.0, "link_rate");

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "range_check.h"
 #include "structure_from_wifi/input_error.h"
 
 namespace sfw {
@@ -84,13 +85,7 @@ double wayUntilOverlap(const Position& from, const Position& direction, const Bo
 
 std::vector<std::string> validate(const SimulatedRobot::Config& config) {
   std::vector<std::string> problems;
-  const auto require = [&](double value, double low, double high, const char* name) {
-    if (!(value >= low && value <= high)) {
-      char text[96];
-      std::snprintf(text, sizeof text, "%s must lie in %g..%g", name, low, high);
-      problems.emplace_back(text);
-    }
-  };
+  const RangeCheck require(problems);
   require(config.radius, 0.01, 10.0, "radius");
   require(config.max_speed, 0.01, 10.0, "max_speed");
   require(config.max_yaw_rate, 0.01, 100.0, "max_yaw_rate");
