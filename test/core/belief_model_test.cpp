@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
+#include <string>
 
 #include "structure_from_wifi/belief_training.h"
 #include "structure_from_wifi/input_error.h"
@@ -75,13 +78,45 @@ TEST(BeliefModel, NamesTheFileAndWhatItLacks) {
   }
 }
 
+/// Where walls take `wall` of what signals can lose, and `sight` of them is left.
+std::array<float, kCellFeatures> cellHeard(float wall, float sight) {
+  constexpr float kExplained = 0.6F;
+  std::map<std::string, float> values{{"line_of_sight", sight},
+                                      {"wall_strength", wall},
+                                      {"wall_beside", wall},
+                                      {"explained", kExplained},
+                                      {"explained_line_of_sight", kExplained * sight},
+                                      {"explained_wall_strength", kExplained * wall},
+                                      {"explained_wall_beside", kExplained * wall}};
+  const auto bend = [&](const char* name, float value, float limit) {
+    values[name] = std::max(0.0F, value - limit);
+  };
+  bend("line_of_sight_over_0.1", sight, 0.1F);
+  bend("line_of_sight_over_0.4", sight, 0.4F);
+  bend("wall_strength_over_0.1", wall, 0.1F);
+  bend("wall_beside_over_0.02", wall, 0.02F);
+  bend("wall_beside_over_0.1", wall, 0.1F);
+  std::array<float, kCellFeatures> cell{};
+  for (std::size_t i = 0; i < kCellFeatures; ++i) {
+    const auto found = values.find(cellFeatureNames()[i]);
+    cell[i] = found != values.end() ? found->second : 0.0F;
+  }
+  return cell;
+}
+
 TEST(BeliefModel, IsShippedAndTakesWallsForWalls) {
   const BeliefModel model = shippedBeliefModel();
-  for (const BeliefModel::Weights* weights :
-       {&model.followsWalls().with_radio, &model.anyPath().with_radio}) {
-    // More wall on the radio's part must never make a cell freer.
-    EXPECT_LT(weights->features[12] + weights->features[13], 0.0);  // wall_strength, wall_beside
-    EXPECT_GT(weights->features[10], 0.0);                          // line_of_sight
+  for (const double follows_walls : {0.0, 1.0}) {
+    const auto free = [&](float wall, float sight) {
+      return model.free(cellHeard(wall, sight), follows_walls, true);
+    };
+    // More wall on the radio's part makes no cell freer, where there are rays at all: below 0.02
+    // the features tell cells that no ray passes near.
+    EXPECT_GT(free(0.02F, 0.5F), free(0.1F, 0.5F));
+    EXPECT_GT(free(0.1F, 0.5F), free(0.3F, 0.5F));
+    EXPECT_GT(free(0.3F, 0.5F), free(0.6F, 0.5F));
+    EXPECT_LT(free(0.05F, 0.1F), free(0.05F, 0.4F));
+    EXPECT_LT(free(0.05F, 0.4F), free(0.05F, 0.9F));
   }
   for (std::size_t i = 0; i < kCellFeatures; ++i) {
     if (usesRadio(i)) {
