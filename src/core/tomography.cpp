@@ -136,6 +136,9 @@ Mask reachable(const Mask& free, const Mask& seeds) {
 /// Keeps probabilities apart from the thresholds, so that no rounding carries them over [1].
 constexpr float kApart = 0.02F;
 
+/// Nearly twice what a step of the grid's logarithms of odds is at most where cells are free [1].
+constexpr float kStep = 0.015F;
+
 /// Marks as free what the robot covered, and as occupied what it touched.
 void enterFelt(const MappedDrive& drive, const Mask& path, const Config& config,
                Grid<float>& occupied) {
@@ -155,6 +158,25 @@ void enterFelt(const MappedDrive& drive, const Mask& path, const Config& config,
   }
 }
 
+/// Adds to a free area the islands in it on which no cell is as likely as that to be occupied.
+void freeIslands(const Grid<float>& occupied, float likely, Mask& free) {
+  const GridGeometry& geometry = free.geometry;
+  const Components islands = labelComponents(complement(free));
+  std::vector<std::uint8_t> doubted(static_cast<std::size_t>(islands.count) + 1, 1);
+  for (std::size_t i = 0; i < free.cells.size(); ++i) {
+    const Cell c = geometry.cell(i);
+    const bool at_edge =
+        c.x == 0 || c.y == 0 || c.x + 1 == geometry.width() || c.y + 1 == geometry.height();
+    if (at_edge || occupied.cells[i] >= likely) {
+      doubted[static_cast<std::size_t>(islands.label.cells[i])] = 0;
+    }
+  }
+  doubted[0] = 1;  // free already
+  for (std::size_t i = 0; i < free.cells.size(); ++i) {
+    free.cells[i] = doubted[static_cast<std::size_t>(islands.label.cells[i])];
+  }
+}
+
 /// Lets only cells that hang together with the path pass as free and only their rim and contacts
 /// as occupied: beyond the rim nobody knows.
 void settle(const Mask& path, const Config::Belief& config, Grid<float>& occupied) {
@@ -165,13 +187,19 @@ void settle(const Mask& path, const Config::Belief& config, Grid<float>& occupie
     free.cells[i] = occupied.cells[i] < free_below ? 1 : 0;
   }
   free = reachable(free, path);
+  constexpr float kDoubt = 1.4F;  // times the threshold: hardly more than what is free around
+  freeIslands(occupied, kDoubt * free_below, free);
   constexpr double kNeighbour = 1.5;  // cells: over edges and corners
   const Mask rim = dilated(free, kNeighbour);
   const float least = std::min(free_below + kApart, 0.5F * (free_below + occupied_above));
   const float most = std::max(occupied_above - kApart, least);
   for (std::size_t i = 0; i < free.cells.size(); ++i) {
     float& p = occupied.cells[i];
-    if (free.cells[i] != 0 || p == kContact || p == kUnknown) {
+    if (free.cells[i] != 0) {
+      p = std::min(p, free_below - std::min(kStep, 0.5F * free_below));
+      continue;
+    }
+    if (p == kContact || p == kUnknown) {
       continue;
     }
     p = rim.cells[i] != 0 ? std::max(p, std::min(occupied_above + kApart, 1.0F))
