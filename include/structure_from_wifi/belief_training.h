@@ -22,8 +22,9 @@ struct TrainingCells {
 TrainingCells cellsOf(const TrainingDrive& drive, const Config& config, std::size_t count,
                       std::int64_t seed);
 
-/// Fits one expert: logistic regression with a ridge of a hundred on standardised features, by Newton's
-/// method, and the normal distribution of the styles. Deterministic. O(cells) for each iteration.
+/// Fits one expert: logistic regression with a ridge of a hundred on standardised features, by
+/// Newton's method, and the normal distribution of the styles. Deterministic. O(cells) for each
+/// iteration.
 /// @throw std::invalid_argument if there are no cells, or fewer than five drives.
 BeliefModel::Expert fitExpert(const TrainingCells& cells);
 

@@ -188,7 +188,7 @@ void settle(const Mask& path, const Config::Belief& config, Grid<float>& occupie
   }
   free = reachable(free, path);
   constexpr float kDoubt = 1.4F;  // times the threshold: hardly more than what is free around
-  freeIslands(occupied, kDoubt * free_below, free);
+  freeIslands(occupied, std::min(kDoubt * free_below, kUnknown), free);
   constexpr double kNeighbour = 1.5;  // cells: over edges and corners
   const Mask rim = dilated(free, kNeighbour);
   const float least = std::min(free_below + kApart, 0.5F * (free_below + occupied_above));

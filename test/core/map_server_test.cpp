@@ -183,8 +183,8 @@ TEST_F(MapServer, RefusesWhatIsNoMap) {
 
 TEST_F(MapServer, ReadsWallLossesInDecibels) {
   const std::string image = "P2\n2 1\n255\n0 40\n";
-  const Grid<float> loss = readWallLoss(
-      file(kYaml + "mode: scale\nnegate: 1\ndecibels_per_step: 0.05\n", image));
+  const Grid<float> loss =
+      readWallLoss(file(kYaml + "mode: scale\nnegate: 1\ndecibels_per_step: 0.05\n", image));
   EXPECT_NEAR(loss.cells[0], 0.0F, 1e-6F);
   EXPECT_NEAR(loss.cells[1], 2.0F, 1e-6F);
   EXPECT_THROW(readWallLoss(file(kYaml + "mode: scale\nnegate: 1\n", image)), InputError);

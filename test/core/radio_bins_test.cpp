@@ -106,9 +106,9 @@ HeardAccessPoint heardThroughAWall(double exponent) {
   std::vector<Sample> samples;
   for (int i = 2; i < 22; ++i) {
     const double distance = 0.5 * i + 0.25;
-    samples.push_back({kAccessPoint + Position(distance, 0.25),
-                       -40.0 - 10.0 * exponent * std::log10(std::hypot(distance, 0.25)) -
-                           (i < 12 ? 0.0 : 8.0)});
+    samples.push_back(
+        {kAccessPoint + Position(distance, 0.25),
+         -40.0 - 10.0 * exponent * std::log10(std::hypot(distance, 0.25)) - (i < 12 ? 0.0 : 8.0)});
   }
   return binnedHere(samples);
 }
