@@ -5,11 +5,12 @@
 #include <string>
 
 #include "structure_from_wifi/cell_features.h"
+#include "structure_from_wifi/path_style.h"
 
 namespace sfw {
 
-/// How likely a cell is free, from its features: two logistic models, one for robots that follow
-/// walls and one for all others, and what tells the two apart. Immutable.
+/// How likely a cell is free, from its features: a logistic model for each driving style,
+/// and what tells the styles apart. Immutable.
 class BeliefModel {
  public:
   /// Rim share, axis share and logarithm of winding + 0.01: nearly normal over many drives.
@@ -31,23 +32,23 @@ class BeliefModel {
   };
 
   /// @throw std::invalid_argument if a number is not finite or a covariance not positive definite.
-  BeliefModel(const Expert& follows_walls, const Expert& any_path);
+  explicit BeliefModel(const std::array<Expert, kDrivingStyles>& experts);
 
-  const Expert& followsWalls() const { return follows_walls_; }
-  const Expert& anyPath() const { return any_path_; }
+  const Expert& expert(DrivingStyle style) const {
+    return experts_[static_cast<std::size_t>(style)];
+  }
 
-  /// How far the model for wall followers applies to a path, 0 to 1: all or nothing unless its
-  /// style fits both.
-  double followsWalls(const PathStyle& style) const;
+  /// How far each expert applies to a path; they sum to 1. One does all unless the style fits more.
+  StyleShares shares(const PathStyle& style) const;
 
   /// Probability that a cell is free.
-  /// @param follows_walls  as from followsWalls(style)
-  /// @param radio          false: as far as path and rays tell without any signal strength
-  double free(const std::array<float, kCellFeatures>& cell, double follows_walls, bool radio) const;
+  /// @param shares  of the experts
+  /// @param radio   false: as far as path and rays tell without any signal strength
+  double free(const std::array<float, kCellFeatures>& cell, const StyleShares& shares,
+              bool radio) const;
 
  private:
-  Expert follows_walls_;
-  Expert any_path_;
+  std::array<Expert, kDrivingStyles> experts_;
 };
 
 /// Reads a model as toYaml writes it.

@@ -11,7 +11,7 @@
 
 namespace sfw {
 
-constexpr std::size_t kCellFeatures = 37;
+constexpr std::size_t kCellFeatures = 38;
 
 /// Names of the features in their order; a model file repeats them (doc/algorithm.md explains).
 const std::array<const char*, kCellFeatures>& cellFeatureNames();

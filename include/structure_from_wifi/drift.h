@@ -19,12 +19,6 @@ struct DriftCheck {
   bool suspect = false;  ///< the poses look as if they drifted
 };
 
-/// What to tell people of poses that are suspect.
-constexpr char kDriftNote[] =
-    "the path looks as if it drifted: where it comes back to a place, signals differ as they do "
-    "from "
-    "room to room";
-
 /// Looks for drift in what each access point was heard like (doc/algorithm.md, "Drift").
 ///
 /// @param samples  of each access point, in the order heard

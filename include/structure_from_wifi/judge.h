@@ -26,15 +26,16 @@ class Judge {
 
   /// Judges anew the access points whose readings have changed most, 4 at most: those with a tenth
   /// more than at their last judgement, or moved by a correction of the path. The others keep their
-  /// last fit. Looks for no drift. All judgements of a drive together cost as much as some 10 at
-  /// its end.
-  void judgeChanged(const Mapper& mapper, Snapshot& snapshot, const std::atomic<bool>& stop);
+  /// last fit. Looks for no drift.
+  /// @return whether some are left for the next time
+  bool judgeChanged(const Mapper& mapper, Snapshot& snapshot, const std::atomic<bool>& stop);
 
  private:
   /// The last judgement of an access point, and what it was made from.
   struct Known {
     std::size_t readings = 0;
     Position last_place = Position::Zero();  // where the last of them was taken [m]
+    std::size_t round = 0;                   // of judgeChanged
     std::optional<AccessPointFit> fit;
   };
 
@@ -43,6 +44,7 @@ class Judge {
   void note(Snapshot& snapshot) const;
 
   std::vector<Known> known_;  // in the order of the table
+  std::size_t round_ = 0;     // how often judgeChanged was asked
 };
 
 }  // namespace sfw

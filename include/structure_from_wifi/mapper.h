@@ -56,6 +56,8 @@ struct AccessPointSummary {
 
   /// How well its readings fit the table's position, once a Judge looked at it.
   std::optional<AccessPointFit> fit = {};
+
+  double rssi_deviation_db = 0.0;  ///< standard deviation of its readings
 };
 
 /// Whether an access point has a position, given or estimated.
@@ -67,8 +69,8 @@ inline bool isPlaced(const AccessPointSummary& summary) {
 struct TomographySummary {
   Grid<float> wall_loss;  ///< of signals through each cell, by radio alone [dB]
   BuildingFrame frame;
-  double follows_walls = 0.0;  ///< how far the model for wall followers was used, 0 to 1
-  double explained = 0.0;      ///< share of what distance leaves of the signals that walls explain
+  StyleShares style{};     ///< how far the model for each driving style was used
+  double explained = 0.0;  ///< share of what distance leaves of the signals that walls explain
 };
 
 /// What was given to a mapper and left out of the map.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "structure_from_wifi/distance_transform.h"
@@ -7,7 +9,18 @@
 
 namespace sfw {
 
-/// How a robot drives, in figures that tell one that follows walls from one that wanders.
+/// How a robot moves: along walls, from place to place, or roaming about wherever it is.
+enum class DrivingStyle { kAlongWalls, kPatrol, kStroll };
+constexpr std::size_t kDrivingStyles = 3;
+
+/// As in files of models and in reports.
+constexpr std::array<const char*, kDrivingStyles> kDrivingStyleNames{"along_walls", "patrol",
+                                                                     "stroll"};
+
+/// One figure for each style, in the order of DrivingStyle.
+using StyleShares = std::array<double, kDrivingStyles>;
+
+/// How a robot drives, in figures that tell the styles apart.
 struct PathStyle {
   double rim_share = 0.0;   ///< of its cells within 0.15 m of the rim of what it encloses
   double axis_share = 0.0;  ///< mean cosine of four times its heading in the building frame

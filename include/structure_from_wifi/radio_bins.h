@@ -38,6 +38,11 @@ struct Sample {
 HeardAccessPoint binned(const std::vector<Sample>& samples, const Position& access_point_in_map,
                         std::optional<double> height_m, const BuildingFrame& frame, double bin_m);
 
+/// Variance of one reading at one place [dB2]: half the mean square of successive differences, each
+/// cut at 12 dB; at least 0.3 dB squared.
+/// @param samples  of one access point, in the order heard
+double readingNoise(const std::vector<Sample>& samples);
+
 /// Distances in space [m], given the squares of those on the floor [m2]: at least 0.3 m, and with
 /// the antenna 0.6 m above the floor where the access point's height is known.
 Eigen::ArrayXd spaceDistance(const Eigen::ArrayXd& squares_m2, std::optional<double> height_m);
@@ -53,5 +58,4 @@ double logDistance(const HeardAccessPoint& access_point, const Position& place);
 ///                  left out
 double explainedShare(const std::vector<HeardAccessPoint>& heard,
                       const std::vector<std::vector<double>>& ray_loss);
-
 }  // namespace sfw

@@ -43,10 +43,10 @@ DescribedDrive describeDrive(const MappedDrive& drive, const Config& config,
 
 /// What tomography and the fused belief make of a drive, on the grid of a map.
 struct FusedBelief {
-  Grid<float> occupied;        ///< probability; 0.5 exactly where nothing is known
-  Grid<float> wall_loss;       ///< of signals through each cell, by radio alone [dB]
-  double follows_walls = 0.0;  ///< how far the model for wall followers was used, 0 to 1
-  double explained = 0.0;      ///< as explainedShare
+  Grid<float> occupied;    ///< probability; 0.5 exactly where nothing is known
+  Grid<float> wall_loss;   ///< of signals through each cell, by radio alone [dB]
+  StyleShares style{};     ///< how far the model for each driving style was used
+  double explained = 0.0;  ///< as explainedShare
   BuildingFrame frame;
 
   /// Loss on the way to each sample of each access point, by the walls found [dB].

@@ -4,29 +4,29 @@
 #include <optional>
 #include <vector>
 
+#include "structure_from_wifi/path_style.h"
 #include "structure_from_wifi/plan.h"
 #include "structure_from_wifi/recording.h"
 #include "structure_from_wifi/types.h"
 
 namespace sfw {
 
-/// How the robot of a training drive moves.
-enum class DrivingStyle { kAlongWalls, kAnyPath };
-
 /// A simulated drive to fit a belief model to, with what a lidar would have seen on the way.
 struct TrainingDrive {
   std::vector<Reading> readings;
   std::vector<AccessPoint> access_points;
+  DrivingStyle style = DrivingStyle::kAlongWalls;
   Grid<CellState> truth;  ///< free where seen from the way, occupied, else unknown
 };
 
 /// Makes up a drive through a building, as varied as real ones are (doc/algorithm.md says why):
 ///
 /// - up to three rectangles are cut out of the building, as if nobody could get in there;
-/// - along walls, half-metre furniture stands in the way of the robot but not of the radio;
+/// - along walls and on patrols, furniture often stands in the way of the robot, not of the radio;
 /// - the robot is 1 to 15 cm in radius, as positions of small robots are known to reach that close
 ///   to what a lidar calls a wall, and follows walls tightly or loosely, cutting corners; or it
-///   patrols, with or without roaming around on the way; it covers all or a part of the building;
+///   patrols; or it strolls, roaming around on the way, up to the walls; it covers all or a part of
+///   the building;
 /// - the radio is `realistic`, seldom `ideal` or `hard`, with walls of 2 to 11 dB, and 1 to 5
 ///   access points.
 ///

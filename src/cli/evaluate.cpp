@@ -135,10 +135,7 @@ void runEvaluate(const EvaluateOptions& options) {
   }
   const std::vector<Reading> readings = readWithWarnings(options.readings);
   EvaluationInput input{readMap(options.map), readMap(options.truth), {}, {}, {}};
-  readBeside(options.map, input);
-  if (!options.probability.empty()) {
-    input.probabilities = readProbabilities(options.probability);
-  }
+  readBeside(options.map, options.probability, input);
   for (const Reading& reading : readings) {
     input.path.push_back(reading.antenna_in_map);
   }
@@ -148,7 +145,12 @@ void runEvaluate(const EvaluateOptions& options) {
   const Evaluation evaluation = evaluate(input);
   std::vector<JudgedMap> beside;
   for (const std::string& title_and_file : options.beside) {
-    beside.push_back(judgeMap(title_and_file, input));
+    JudgedMap judged = judgeMap(title_and_file, input);
+    if (std::any_of(beside.begin(), beside.end(),
+                    [&](const JudgedMap& other) { return other.title == judged.title; })) {
+      throw InputError("--beside has the title '" + judged.title + "' twice");
+    }
+    beside.push_back(std::move(judged));
   }
   if (!options.picture.empty()) {
     writeAtomically(options.picture, renderComparison(input));
@@ -189,7 +191,8 @@ void addEvaluateCommand(CLI::App& sfw) {
   command->add_option("--map", options->map, "Map to judge (map_server yaml)")->required();
   command->add_option("--truth", options->truth, "True map in the same frame (map_server yaml)")
       ->required();
-  command->add_option("--readings", options->readings, "CSV that the map was made from: its path");
+  command->add_option("--readings", options->readings,
+                      "CSV that the map was made from: its path; required");
   command->add_option("--access-points", options->access_points,
                       "YAML; adds the figures about observed walls, those that a ray crosses");
   command->add_option("--probability", options->probability,

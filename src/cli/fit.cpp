@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <filesystem>
 #include <iostream>
@@ -46,20 +47,24 @@ Plan buildingFor(std::size_t drive, std::int64_t seed, const std::vector<Plan>& 
   return generatePlan(config).plan;
 }
 
-/// Cells of drives of one style, made on several threads, in the order of the drives.
+/// Makes drives on several threads.
 class Drives {
  public:
   Drives(const FitOptions& options, const std::vector<Plan>& plans, const Config& config)
-      : options_(options), plans_(plans), config_(config), progress_(2 * options.drives) {}
+      : options_(options),
+        plans_(plans),
+        config_(config),
+        progress_(kDrivingStyles * options.drives) {}
 
-  TrainingCells make(DrivingStyle style) {
-    std::vector<std::optional<TrainingCells>> parts(options_.drives);
+  /// Cells of all drives, in their order whatever the threads do.
+  std::vector<TrainingCells> make() {
+    std::vector<std::optional<TrainingCells>> made(kDrivingStyles * options_.drives);
     std::atomic<std::size_t> next{0};
     std::vector<std::thread> workers;
     for (unsigned i = 0; i < options_.workers; ++i) {
       workers.emplace_back([&] {
-        for (std::size_t drive = next++; drive < parts.size(); drive = next++) {
-          parts[drive] = makeOne(style, drive);
+        for (std::size_t drive = next++; drive < made.size(); drive = next++) {
+          made[drive] = makeOne(drive);
           const std::lock_guard<std::mutex> lock(mutex_);
           progress_.add();
         }
@@ -68,25 +73,22 @@ class Drives {
     for (std::thread& worker : workers) {
       worker.join();
     }
-    TrainingCells all;
-    for (const std::optional<TrainingCells>& part : parts) {
-      if (part) {
-        all.cells.insert(all.cells.end(), part->cells.begin(), part->cells.end());
-        all.free.insert(all.free.end(), part->free.begin(), part->free.end());
-        all.styles.insert(all.styles.end(), part->styles.begin(), part->styles.end());
+    std::vector<TrainingCells> drives;
+    for (std::optional<TrainingCells>& drive : made) {
+      if (drive) {
+        drives.push_back(std::move(*drive));
       }
     }
-    return all;
+    return drives;
   }
 
  private:
-  std::optional<TrainingCells> makeOne(DrivingStyle style, std::size_t drive) const {
-    const auto number = static_cast<std::int64_t>(drive);
-    const std::int64_t kind = style == DrivingStyle::kAlongWalls ? 0 : 1;
-    const std::int64_t seed =
-        options_.seed * 1000000 + 2 * number + kind;  // no two drives share one
+  std::optional<TrainingCells> makeOne(std::size_t drive) const {
+    const auto style = static_cast<DrivingStyle>(drive % kDrivingStyles);
+    constexpr std::int64_t kSeeds = 1000000;  // no two drives share one
+    const std::int64_t seed = options_.seed * kSeeds + static_cast<std::int64_t>(drive);
     const std::optional<TrainingDrive> made =
-        makeTrainingDrive(buildingFor(drive, seed, plans_), style, seed);
+        makeTrainingDrive(buildingFor(drive / kDrivingStyles, seed, plans_), style, seed);
     return made ? std::optional(cellsOf(*made, config_, options_.cells, seed)) : std::nullopt;
   }
 
@@ -97,8 +99,7 @@ class Drives {
   Progress progress_;
 };
 
-std::string describe(const FitOptions& options, const TrainingCells& along,
-                     const TrainingCells& any) {
+std::string describe(const FitOptions& options, const std::vector<TrainingCells>& drives) {
   std::string text =
       "# What is believed of a cell, from its features (doc/algorithm.md). Fitted to simulated "
       "drives alone:\n"
@@ -108,9 +109,17 @@ std::string describe(const FitOptions& options, const TrainingCells& along,
   for (const std::string& plan : planFiles(options.plans)) {
     text += " \\\n#   --plan " + std::filesystem::path(plan).filename().string();
   }
-  return text + "\n# " + std::to_string(along.styles.size()) + " drives along walls with " +
-         std::to_string(along.cells.size()) + " cells, " + std::to_string(any.styles.size()) +
-         " other drives with " + std::to_string(any.cells.size()) + " cells.\n";
+  std::array<std::size_t, kDrivingStyles> count{};
+  std::size_t cells = 0;
+  for (const TrainingCells& drive : drives) {
+    ++count[static_cast<std::size_t>(drive.made)];
+    cells += drive.cells.size();
+  }
+  text += "\n# Drives:";
+  for (std::size_t i = 0; i < kDrivingStyles; ++i) {
+    text += ' ' + std::to_string(count[i]) + ' ' + kDrivingStyleNames[i] + ',';
+  }
+  return text + " with " + std::to_string(cells) + " cells.\n";
 }
 
 void run(const FitOptions& options) {
@@ -119,11 +128,8 @@ void run(const FitOptions& options) {
   for (const std::string& file : planFiles(options.plans)) {
     plans.push_back(readPlan(file));
   }
-  Drives drives(options, plans, config);
-  const TrainingCells along = drives.make(DrivingStyle::kAlongWalls);
-  const TrainingCells any = drives.make(DrivingStyle::kAnyPath);
-  const BeliefModel model(fitExpert(along), fitExpert(any));
-  writeAtomically(options.output, describe(options, along, any) + toYaml(model));
+  const std::vector<TrainingCells> drives = Drives(options, plans, config).make();
+  writeAtomically(options.output, describe(options, drives) + toYaml(fitBeliefModel(drives)));
 }
 
 }  // namespace
@@ -134,7 +140,7 @@ void addFitCommand(CLI::App& sfw) {
       "fit", "Fit the belief model to simulated drives; the file is for belief/model.");
   command->add_option("--plan", options->plans,
                       "plan files or directories for every second drive, beside buildings made up");
-  command->add_option("--drives", options->drives, "of each of the two styles")
+  command->add_option("--drives", options->drives, "of each driving style")
       ->check(CLI::Range(10, 100000))
       ->capture_default_str();
   command->add_option("--cells", options->cells, "of each drive, about")

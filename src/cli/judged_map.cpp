@@ -25,11 +25,12 @@ std::string noteOf(const MapFigures& figures) {
 
 }  // namespace
 
-void readBeside(const std::string& map, EvaluationInput& input) {
+void readBeside(const std::string& map, std::filesystem::path probability, EvaluationInput& input) {
   const std::filesystem::path folder = std::filesystem::path(map).parent_path();
-  const std::filesystem::path probability = folder / "probability.yaml";
+  const bool named = !probability.empty();  // then it has to be there
+  probability = named ? probability : folder / "probability.yaml";
   const std::filesystem::path wall_loss = folder / "wall_loss.yaml";
-  input.probabilities = std::filesystem::exists(probability)
+  input.probabilities = named || std::filesystem::exists(probability)
                             ? std::optional(readProbabilities(probability.string()))
                             : std::nullopt;
   input.wall_loss = std::filesystem::exists(wall_loss)
@@ -44,7 +45,7 @@ JudgedMap judgeMap(const std::string& title_and_file, EvaluationInput input) {
   }
   const std::string file = title_and_file.substr(equals + 1);
   input.map = readMap(file);
-  readBeside(file, input);
+  readBeside(file, {}, input);
   const MapFigures figures = evaluate(input).map;
   return {title_and_file.substr(0, equals), std::move(input.map), figures};
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,8 +17,9 @@ struct JudgedMap {
 };
 
 /// Adds the probabilities and wall losses that the mapper writes beside a map, where they are.
+/// @param probability  file of the probabilities; empty: the one beside the map
 /// @throw InputError as readProbabilities and readWallLoss
-void readBeside(const std::string& map, EvaluationInput& input);
+void readBeside(const std::string& map, std::filesystem::path probability, EvaluationInput& input);
 
 /// Reads the map of "TITLE=FILE", and what the mapper wrote beside it, and judges it.
 /// @param input  with the truth and the path; its map is replaced

@@ -11,6 +11,7 @@
 #include "structure_from_wifi/input_error.h"
 #include "structure_from_wifi/judge.h"
 #include "structure_from_wifi/map_files.h"
+#include "structure_from_wifi/map_notes.h"
 #include "structure_from_wifi/mapper.h"
 #include "warnings.h"
 
@@ -46,11 +47,7 @@ Config loadConfig(const MapOptions& options) {
 
 Mapper mapperFor(const std::string& access_points, const Config& config) {
   const std::vector<AccessPoint> table = readAccessPoints(access_points);
-  try {
-    return Mapper(config, table);
-  } catch (const InputError& error) {
-    throw InputError(access_points + ": " + error.what());
-  }
+  return Mapper(config, table);
 }
 
 void insertBag(const MapOptions& options, const Config::Ros& config, Mapper& mapper) {
@@ -125,8 +122,8 @@ void run(const MapOptions& options) {
   for (const AccessPointSummary& summary : judged.access_points) {
     reportAccessPoint(options.access_points, summary);
   }
-  if (judged.drift && judged.drift->suspect) {
-    warn(source + ": " + kDriftNote);
+  for (const std::string& note : mapNotes(judged)) {
+    warn(source + ": " + note);
   }
   writeMapFiles(judged, config, options.output);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;

@@ -51,6 +51,7 @@ AccessPointLikelihood::AccessPointLikelihood(HeardAccessPoint heard, const Shado
     y_[i] = bin.place.y();
     signals_[i] = bin.rssi_dbm;
   }
+  log_determinant_ = whitener_.logDeterminant();
   white_signals_ = whitener_.whitened(signals_);
   white_ones_ = whitener_.whitened(Eigen::VectorXd(Eigen::VectorXd::Ones(count)));
 }
@@ -60,7 +61,7 @@ double AccessPointLikelihood::at(const Position& place) const {
   const Eigen::LLT<Information> factor(moments.information);
   const double half_log_determinant = factor.matrixLLT().diagonal().array().log().sum();
   return 0.5 * (moments.pull.dot(factor.solve(moments.pull)) - moments.residual) -
-         half_log_determinant + whitener_.logDeterminant();
+         half_log_determinant + log_determinant_;
 }
 
 double AccessPointLikelihood::residualAt(const Position& place) const {

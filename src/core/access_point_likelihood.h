@@ -53,7 +53,8 @@ class AccessPointLikelihood {
 
   HeardAccessPoint heard_;
   ShadowingWhitener whitener_;
-  Eigen::ArrayXd x_, y_;  // of the bins
+  double log_determinant_ = 0.0;  // of the whitener
+  Eigen::ArrayXd x_, y_;          // of the bins
   Eigen::VectorXd signals_;
   Eigen::VectorXd white_ones_;
   Eigen::VectorXd white_signals_;

@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
 
@@ -102,38 +103,58 @@ void write(std::ostream& out, const char* name, const BeliefModel::Expert& exper
 
 }  // namespace
 
-BeliefModel::BeliefModel(const Expert& follows_walls, const Expert& any_path)
-    : follows_walls_(follows_walls), any_path_(any_path) {
-  requireUsable(follows_walls_);
-  requireUsable(any_path_);
+BeliefModel::BeliefModel(const std::array<Expert, kDrivingStyles>& experts) : experts_(experts) {
+  std::for_each(experts_.begin(), experts_.end(), requireUsable);
 }
 
 BeliefModel::Style BeliefModel::styleVector(const PathStyle& style) {
   return {style.rim_share, style.axis_share, std::log(style.winding + 0.01)};
 }
 
-double BeliefModel::followsWalls(const PathStyle& style) const {
-  const Style vector = styleVector(style);
-  const double share = logistic(logDensity(follows_walls_, vector) - logDensity(any_path_, vector));
-  // A mixture of the two fits neither: between them one is chosen, with a short passage so that a
-  // growing path changes the map gently.
-  return std::clamp((share - 0.25) / 0.5, 0.0, 1.0);
+StyleShares BeliefModel::shares(const PathStyle& style) const {
+  // A mixture fits no style: one is chosen, with a short passage between two so that a growing path
+  // changes the map gently.
+  constexpr double kIgnored = 0.25;
+  StyleShares densities{};
+  std::transform(experts_.begin(), experts_.end(), densities.begin(),
+                 [&](const Expert& expert) { return logDensity(expert, styleVector(style)); });
+  const double highest = *std::max_element(densities.begin(), densities.end());
+  const auto normalise = [](StyleShares& shares) {
+    const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+    for (double& share : shares) {
+      share /= sum;
+    }
+  };
+  StyleShares shares{};
+  std::transform(densities.begin(), densities.end(), shares.begin(),
+                 [&](double density) { return std::exp(density - highest); });
+  normalise(shares);
+  for (double& share : shares) {
+    share = std::clamp(share - kIgnored, 0.0, 1.0 - 2.0 * kIgnored);
+  }
+  normalise(shares);
+  return shares;
 }
 
-double BeliefModel::free(const std::array<float, kCellFeatures>& cell, double follows_walls,
+double BeliefModel::free(const std::array<float, kCellFeatures>& cell, const StyleShares& shares,
                          bool radio) const {
-  const auto rated = [&](const Expert& expert) {
-    return logistic(score(radio ? expert.with_radio : expert.without_radio, cell));
-  };
-  const double walls = follows_walls > 0.0 ? rated(follows_walls_) : 0.0;
-  const double any = follows_walls < 1.0 ? rated(any_path_) : 0.0;
-  return follows_walls * walls + (1.0 - follows_walls) * any;
+  double free = 0.0;
+  for (std::size_t i = 0; i < kDrivingStyles; ++i) {
+    if (shares[i] > 0.0) {
+      const Expert& expert = experts_[i];
+      free += shares[i] * logistic(score(radio ? expert.with_radio : expert.without_radio, cell));
+    }
+  }
+  return free;
 }
 
 BeliefModel parseBeliefModel(const std::string& yaml, const std::string& name) {
   try {
     const YAML::Node node = YAML::Load(yaml);
-    return {parseExpert(node["follows_walls"]), parseExpert(node["any_path"])};
+    std::array<BeliefModel::Expert, kDrivingStyles> experts;
+    std::transform(kDrivingStyleNames.begin(), kDrivingStyleNames.end(), experts.begin(),
+                   [&](const char* style) { return parseExpert(node[style]); });
+    return BeliefModel(experts);
   } catch (const YAML::Exception& error) {
     throw InputError(name + ": line " + std::to_string(error.mark.line + 1) +
                      ": not a belief model as sfw fit writes it: " + error.msg);
@@ -145,8 +166,9 @@ BeliefModel parseBeliefModel(const std::string& yaml, const std::string& name) {
 std::string toYaml(const BeliefModel& model) {
   std::ostringstream out;
   out.precision(5);
-  write(out, "follows_walls", model.followsWalls());
-  write(out, "any_path", model.anyPath());
+  for (std::size_t i = 0; i < kDrivingStyles; ++i) {
+    write(out, kDrivingStyleNames[i], model.expert(static_cast<DrivingStyle>(i)));
+  }
   return out.str();
 }
 

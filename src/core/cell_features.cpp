@@ -15,8 +15,8 @@ namespace {
 using Values = Grid<float>;
 
 /// Numbers of the features that wall losses make, and of the first of those made of them.
-constexpr std::array<std::size_t, 4> kOfWalls{10, 12, 13, 14};
-constexpr std::size_t kExplained = 25;
+constexpr std::array<std::size_t, 4> kOfWalls{11, 13, 14, 15};
+constexpr std::size_t kExplained = 26;
 
 /// Depth inside a set, positive, or distance to it, negative [m]; cut where it stops to matter.
 Values signedDepth(const Mask& set) {
@@ -55,6 +55,8 @@ class Describer {
         square_small_(depthOf([&] { return closedWithSquare(path.cells, wholeCells(0.6)); })),
         square_middle_(depthOf(
             [&] { return withHolesFilled(closedWithSquare(path.cells, wholeCells(1.2))); })),
+        square_large_(depthOf(
+            [&] { return withHolesFilled(closedWithSquare(path.cells, wholeCells(2.4))); })),
         rays_(rayEvidence(geometry_, heard, walls.ray_loss, stop)),
         beside_(boxMean(walls.strength, wholeCells(0.2))),
         ways_(waysFrom(path.cells, distance_, walls.strength, stop)),
@@ -137,6 +139,7 @@ class Describer {
             disc_large_.cells[i],
             square_small_.cells[i],
             square_middle_.cells[i],
+            square_large_.cells[i],
             std::min(std::log2(1.0F + rays_.rays.cells[i]), 6.0F) / 6.0F,
             rays_.access_points.cells[i] / access_points,
             line_of_sight,
@@ -174,7 +177,7 @@ class Describer {
   const WallField& walls_;
   Grid<double> distance_;  // to the path, in cells
   Mask footprint_;
-  Values disc_small_, disc_middle_, disc_large_, square_small_, square_middle_;
+  Values disc_small_, disc_middle_, disc_large_, square_small_, square_middle_, square_large_;
   RayEvidence rays_;
   Values beside_;  // mean wall strength around
   Ways ways_;
@@ -197,6 +200,7 @@ const std::array<const char*, kCellFeatures>& cellFeatureNames() {
                                                                  "depth_disc_2.4",
                                                                  "depth_square_0.6",
                                                                  "depth_square_1.2",
+                                                                 "depth_square_2.4",
                                                                  "rays",
                                                                  "access_points",
                                                                  "line_of_sight",

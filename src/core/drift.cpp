@@ -26,35 +26,29 @@ struct Stretch {
   double driven_m = 0.0;  // until it begins
 };
 
-/// Variance of a reading: half the mean square of successive differences.
-double noiseOf(const std::vector<Sample>& samples) {
-  double sum = 0.0;
+/// The way driven until each sample [m]. Poses of a robot that stands jitter: that is no way.
+std::vector<double> wayUntil(const std::vector<Sample>& samples) {
+  constexpr double kLeastStep = 0.1;  // [m]
+  std::vector<double> way(samples.size(), 0.0);
+  std::size_t last = 0;
   for (std::size_t i = 1; i < samples.size(); ++i) {
-    const double step =
-        std::min(std::abs(samples[i].rssi_dbm - samples[i - 1].rssi_dbm), kLargestStep);
-    sum += 0.5 * step * step;
+    const double step = (samples[i].antenna_in_map - samples[last].antenna_in_map).norm();
+    way[i] = way[i - 1];
+    if (step >= kLeastStep) {
+      way[i] += step;
+      last = i;
+    }
   }
-  return sum / static_cast<double>(std::max<std::size_t>(samples.size(), 2) - 1);
-}
-
-double lengthOf(const std::vector<Sample>& samples) {
-  double length_m = 0.0;
-  for (std::size_t i = 1; i < samples.size(); ++i) {
-    length_m += (samples[i].antenna_in_map - samples[i - 1].antenna_in_map).norm();
-  }
-  return length_m;
+  return way;
 }
 
 std::vector<Stretch> stretchesOf(const std::vector<Sample>& samples) {
-  const double longest = std::max(kStretch, lengthOf(samples) / kMostStretches);
+  const std::vector<double> way = wayUntil(samples);
+  const double longest = std::max(kStretch, way.empty() ? 0.0 : way.back() / kMostStretches);
   std::vector<Stretch> stretches;
-  double driven_m = 0.0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (i > 0) {
-      driven_m += (samples[i].antenna_in_map - samples[i - 1].antenna_in_map).norm();
-    }
-    if (stretches.empty() || driven_m >= stretches.back().driven_m + longest) {
-      stretches.push_back({Position::Zero(), 0.0, 0.0, driven_m});
+    if (stretches.empty() || way[i] >= stretches.back().driven_m + longest) {
+      stretches.push_back({Position::Zero(), 0.0, 0.0, way[i]});
     }
     Stretch& stretch = stretches.back();
     stretch.readings += 1.0;
@@ -83,7 +77,7 @@ struct Differences {
 };
 
 void add(const std::vector<Sample>& samples, Differences& differences) {
-  const double noise = noiseOf(samples);
+  const double noise = readingNoise(samples);
   const std::vector<Stretch> stretches = stretchesOf(samples);
   for (std::size_t i = 0; i < stretches.size(); ++i) {
     const Stretch& later = stretches[i];

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
+#include <tuple>
 
 namespace sfw {
 namespace {
@@ -20,7 +20,9 @@ void Judge::judgeAll(const Mapper& mapper, Snapshot& snapshot, const std::atomic
     judge(snapshot.access_points[i].access_point, samples[i], known_[i]);
   }
   note(snapshot);
-  snapshot.drift = checkDrift(samples);
+  if (!stop) {
+    snapshot.drift = checkDrift(samples);
+  }
 }
 
 void Judge::judgeAll(const Mapper& mapper, Snapshot& snapshot) {
@@ -28,25 +30,28 @@ void Judge::judgeAll(const Mapper& mapper, Snapshot& snapshot) {
   judgeAll(mapper, snapshot, never);
 }
 
-void Judge::judgeChanged(const Mapper& mapper, Snapshot& snapshot, const std::atomic<bool>& stop) {
+bool Judge::judgeChanged(const Mapper& mapper, Snapshot& snapshot, const std::atomic<bool>& stop) {
   const std::vector<std::vector<Sample>> samples = mapper.samples();
   known_.resize(samples.size());
-  std::vector<std::pair<double, std::size_t>> due;
+  ++round_;
+  // Of those that changed as much, whoever waits longest comes first: a path that is corrected
+  // again and again would else have the first of the table judged for ever.
+  std::vector<std::tuple<double, std::size_t, std::size_t>> due;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const double much = change(known_[i], samples[i]);
-    if (much >= kMuchMore) {
-      due.emplace_back(-much, i);
+    if (much >= kMuchMore && snapshot.access_points[i].access_point.position_known) {
+      due.emplace_back(-much, known_[i].round, i);
     }
   }
   std::sort(due.begin(), due.end());
-  due.resize(std::min(due.size(), kMostAtOnce));
-  for (const auto& [much, i] : due) {
-    if (stop) {
-      return;
-    }
+  const std::size_t now = std::min(due.size(), kMostAtOnce);
+  for (std::size_t j = 0; j < now && !stop; ++j) {
+    const std::size_t i = std::get<2>(due[j]);
     judge(snapshot.access_points[i].access_point, samples[i], known_[i]);
+    known_[i].round = round_;
   }
   note(snapshot);
+  return due.size() > now;
 }
 
 /// Share of readings more than at the last judgement; infinite if they are others.

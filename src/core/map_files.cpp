@@ -11,6 +11,7 @@
 
 #include "pgm.h"
 #include "structure_from_wifi/atomic_file.h"
+#include "structure_from_wifi/map_notes.h"
 #include "structure_from_wifi/map_picture.h"
 #include "structure_from_wifi/octomap_export.h"
 #include "text.h"
@@ -81,10 +82,11 @@ ordered_json describe(const AccessPointSummary& summary) {
                          {"ambiguous", summary.estimate->ambiguous}};
   }
   if (summary.fit) {
-    json["fit"] = {{"residual_db", summary.fit->residual_db},
-                   {"suspect", summary.fit->suspect},
-                   {"seems_to_stand_at",
-                    {summary.fit->estimate.position.x(), summary.fit->estimate.position.y()}}};
+    const Position& better = summary.fit->estimate.position;
+    json["fit"] = {{"residual_db", summary.fit->residual_db}, {"suspect", summary.fit->suspect}};
+    if (summary.fit->suspect) {
+      json["fit"]["seems_to_stand_at"] = {better.x(), better.y()};
+    }
   }
   if (summary.model) {
     json["walls"] = summary.model->walls();
@@ -99,9 +101,13 @@ ordered_json describe(const TomographySummary& tomography) {
       tomography.frame.source == BuildingFrame::Source::kHeadings ? "headings"
       : tomography.frame.source == BuildingFrame::Source::kSpread ? "spread of the path"
                                                                   : "none";
+  ordered_json style;
+  for (std::size_t i = 0; i < kDrivingStyles; ++i) {
+    style[kDrivingStyleNames[i]] = tomography.style[i];
+  }
   return {{"building_yaw_rad", tomography.frame.yaw_rad},
           {"building_yaw_from", source},
-          {"follows_walls", tomography.follows_walls},
+          {"driving_style", style},
           {"signals_explained_by_walls", tomography.explained}};
 }
 
@@ -118,11 +124,7 @@ ordered_json describe(const Rejections& rejections) {
 }
 
 ordered_json describe(const DriftCheck& drift) {
-  ordered_json json{{"ratio", drift.ratio}, {"returns", drift.returns}, {"suspect", drift.suspect}};
-  if (drift.suspect) {
-    json["note"] = kDriftNote;
-  }
-  return json;
+  return {{"ratio", drift.ratio}, {"returns", drift.returns}, {"suspect", drift.suspect}};
 }
 
 /// Area [m2] of the cells in each state.
@@ -236,6 +238,7 @@ std::string reportJson(const Snapshot& snapshot, const Config& config) {
   }
   ordered_json report;
   report["method"] = config.method;
+  report["notes"] = mapNotes(snapshot);
   report["map"] = describe(snapshot.belief);
   report["path"] = {{"poses", snapshot.path.size()}, {"length_m", length_m}};
   if (snapshot.drift) {

@@ -1,3 +1,4 @@
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -43,6 +44,12 @@ void noteWalls(const PathPose& counted, std::vector<PathPose>& path) {
   const auto at = std::lower_bound(path.begin(), path.end(), counted, earlier);
   at->walls =
       at->walls == PathPose::kNothingHeard ? counted.walls : std::min(at->walls, counted.walls);
+}
+
+double deviationOf(const std::vector<double>& values) {
+  const Eigen::Map<const Eigen::ArrayXd> all(values.data(),
+                                             static_cast<Eigen::Index>(values.size()));
+  return values.empty() ? 0.0 : std::sqrt((all - all.mean()).square().mean());
 }
 
 /// Walls that would lose as much, each what an interior wall usually takes (ns-3's default).
@@ -108,6 +115,7 @@ std::vector<AccessPointSummary> Mapper::placed(std::vector<Series>& heard,
   std::vector<AccessPointSummary> summaries;
   for (std::size_t i = 0; i < heard.size(); ++i) {
     AccessPointSummary summary{access_points_[i], heard[i].poses.size(), {}};
+    summary.rssi_deviation_db = deviationOf(heard[i].rssi_dbm);
     AccessPoint& access_point = summary.access_point;
     if (!access_point.position_known && !stop) {
       summary.estimate = estimateAccessPoint(samplesOf(heard[i]), access_point.height_m);
@@ -175,8 +183,8 @@ void Mapper::inferByTomography(std::vector<Series>& heard, Hearing hearing,
     }
   }
   snapshot.belief = BeliefMap(fused.occupied, config_.belief);
-  snapshot.tomography = TomographySummary{std::move(fused.wall_loss), fused.frame,
-                                          fused.follows_walls, fused.explained};
+  snapshot.tomography =
+      TomographySummary{std::move(fused.wall_loss), fused.frame, fused.style, fused.explained};
 }
 
 std::vector<double> Mapper::filtered(const Series& series, const Position& access_point) const {

@@ -15,17 +15,6 @@ constexpr double kAntennaHeight = 0.6;  // [m], of a robot's antenna when nobody
 constexpr double kLargestStep = 12.0;   // [dB]; larger ones are outliers, not noise
 constexpr double kLeastNoise = 0.3;     // [dB]
 
-double noiseOf(const std::vector<Sample>& samples) {
-  double sum = 0.0;
-  for (std::size_t i = 1; i < samples.size(); ++i) {
-    const double step =
-        std::min(std::abs(samples[i].rssi_dbm - samples[i - 1].rssi_dbm), kLargestStep);
-    sum += 0.5 * step * step;
-  }
-  const double mean = samples.size() > 1 ? sum / static_cast<double>(samples.size() - 1) : 0.0;
-  return std::max(mean, kLeastNoise * kLeastNoise);
-}
-
 /// Sum of squares around the log-distance law that fits best, after giving back the losses [dB^2].
 double squaresAroundLaw(const HeardAccessPoint& heard, const std::vector<double>& loss_db) {
   // Exponents measured indoors lie within these, walls counted apart or not.
@@ -48,12 +37,23 @@ double squaresAroundLaw(const HeardAccessPoint& heard, const std::vector<double>
 
 }  // namespace
 
+double readingNoise(const std::vector<Sample>& samples) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    const double step =
+        std::min(std::abs(samples[i].rssi_dbm - samples[i - 1].rssi_dbm), kLargestStep);
+    sum += 0.5 * step * step;
+  }
+  const double mean = samples.size() > 1 ? sum / static_cast<double>(samples.size() - 1) : 0.0;
+  return std::max(mean, kLeastNoise * kLeastNoise);
+}
+
 HeardAccessPoint binned(const std::vector<Sample>& samples, const Position& access_point_in_map,
                         std::optional<double> height_m, const BuildingFrame& frame, double bin_m) {
   HeardAccessPoint heard;
   heard.position = frame.toBuilding(access_point_in_map);
   heard.height_m = height_m;
-  heard.noise_db2 = noiseOf(samples);
+  heard.noise_db2 = readingNoise(samples);
   std::map<std::pair<std::int64_t, std::int64_t>, RadioBin> bins;  // by row, then column
   for (const Sample& sample : samples) {
     const Position place = frame.toBuilding(sample.antenna_in_map);

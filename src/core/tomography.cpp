@@ -18,9 +18,10 @@ constexpr float kContact = 0.95F;    // the robot ran into it
 /// Access points farther than this from the way shape no walls near it [m].
 constexpr double kFarthestAccessPoint = 30.0;
 
-/// Shares of the signals that walls explain, between which most training drives lie. Beyond, as
-/// with signals at wrong places or smoothed ones, the nearer of these is believed in.
-constexpr double kLeastExplained = 0.45;
+/// Shares of the signals that walls explain, as far as the belief reckons with them: from about the
+/// middle of the training drives to where few lie. Signals at wrong places explain too little and
+/// would make it doubt all it knows from the path; few readings of many walls explain too much.
+constexpr double kLeastExplained = 0.55;
 constexpr double kMostExplained = 0.7;
 
 /// Registration of path and map blurs what is believed by so much to each side [m].
@@ -91,11 +92,11 @@ float interpolated(const Grid<float>& values, const Position& place, float outsi
 
 /// Probability of being free, in the building frame; 0.5 where cells are not judged.
 Grid<float> freeProbability(const DescribedDrive& described, const BeliefModel& model,
-                            double follows_walls, bool radio) {
+                            const StyleShares& style, bool radio) {
   Grid<float> free(described.cells.geometry);
   for (std::size_t i = 0; i < described.cells.cells.size(); ++i) {
     free.cells[described.cells.cells[i]] =
-        static_cast<float>(model.free(described.cells.values[i], follows_walls, radio));
+        static_cast<float>(model.free(described.cells.values[i], style, radio));
   }
   free = boxMean(free, std::lround(kBlur / free.geometry.resolution()));
   Grid<float> judged(free.geometry, kUnknown);
@@ -162,18 +163,18 @@ void enterFelt(const MappedDrive& drive, const Mask& path, const Config& config,
 void freeIslands(const Grid<float>& occupied, float likely, Mask& free) {
   const GridGeometry& geometry = free.geometry;
   const Components islands = labelComponents(complement(free));
-  std::vector<std::uint8_t> doubted(static_cast<std::size_t>(islands.count) + 1, 1);
+  std::vector<std::uint8_t> freed(static_cast<std::size_t>(islands.count) + 1, 1);
   for (std::size_t i = 0; i < free.cells.size(); ++i) {
     const Cell c = geometry.cell(i);
     const bool at_edge =
         c.x == 0 || c.y == 0 || c.x + 1 == geometry.width() || c.y + 1 == geometry.height();
     if (at_edge || occupied.cells[i] >= likely) {
-      doubted[static_cast<std::size_t>(islands.label.cells[i])] = 0;
+      freed[static_cast<std::size_t>(islands.label.cells[i])] = 0;
     }
   }
-  doubted[0] = 1;  // free already
+  freed[0] = 1;  // free already
   for (std::size_t i = 0; i < free.cells.size(); ++i) {
-    free.cells[i] = doubted[static_cast<std::size_t>(islands.label.cells[i])];
+    free.cells[i] = freed[static_cast<std::size_t>(islands.label.cells[i])];
   }
 }
 
@@ -250,7 +251,7 @@ DescribedDrive describeDrive(const MappedDrive& drive, const Config& config,
 
 FusedBelief fuse(const GridGeometry& geometry, const MappedDrive& drive, const BeliefModel& model,
                  const Config& config, bool radio, const std::atomic<bool>& stop) {
-  FusedBelief belief{Grid<float>(geometry, kUnknown), Grid<float>(geometry), 0.0, 0.0, {}, {}};
+  FusedBelief belief{Grid<float>(geometry, kUnknown), Grid<float>(geometry), {}, 0.0, {}, {}};
   if (drive.path.empty()) {
     belief.sample_loss.resize(drive.heard.size());
     return belief;
@@ -261,10 +262,10 @@ FusedBelief fuse(const GridGeometry& geometry, const MappedDrive& drive, const B
     return belief;
   }
   belief.frame = described.frame;
-  belief.follows_walls = model.followsWalls(described.cells.style);
+  belief.style = model.shares(described.cells.style);
   belief.explained = described.cells.explained;
   cutExplained(kLeastExplained, kMostExplained, described.cells);
-  const Grid<float> free = freeProbability(described, model, belief.follows_walls, radio);
+  const Grid<float> free = freeProbability(described, model, belief.style, radio);
   belief.occupied = onMap(geometry, free, described.frame, 0.5F);
   for (float& occupied : belief.occupied.cells) {
     occupied = 1.0F - occupied;

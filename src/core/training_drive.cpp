@@ -92,7 +92,7 @@ std::optional<TrainingDrive> makeTrainingDrive(const Plan& plan, DrivingStyle st
   config.path = style == DrivingStyle::kAlongWalls ? "walls" : "sparse";
   config.access_points = 1 + static_cast<std::int64_t>(random.uniform(0.0, 4.99));
   config.robot_radius = random.uniform(0.01, 0.15);
-  const bool strolls = style == DrivingStyle::kAnyPath && happens(0.6, random);
+  const bool strolls = style == DrivingStyle::kStroll;
   const bool covers_all = !happens(strolls ? 0.25 : 0.6, random);
 
   Plan walls = plan;
@@ -100,17 +100,20 @@ std::optional<TrainingDrive> makeTrainingDrive(const Plan& plan, DrivingStyle st
     cutOut(walls, random);
   }
   Plan furnished = walls;
-  if (style == DrivingStyle::kAlongWalls && happens(0.7, random)) {
+  const double furnished_share = style == DrivingStyle::kAlongWalls ? 0.7
+                                 : style == DrivingStyle::kPatrol   ? 0.5
+                                                                    : 0.0;
+  if (happens(furnished_share, random)) {
     furnish(furnished, random);
   }
-  TrainingDrive drive{{}, {}, toStates(furnished)};
+  TrainingDrive drive{{}, {}, style, toStates(furnished)};
   try {
     Scenario scenario = makeScenario(furnished, {}, config);
     if (style == DrivingStyle::kAlongWalls && happens(0.7, random)) {
       scenario.way_points =
           loosened(scenario.way_points, furnished, config.robot_radius + 0.03, random);
     } else if (strolls) {
-      const double clearance = config.robot_radius + random.uniform(0.2, 0.6);
+      const double clearance = config.robot_radius + random.uniform(0.0, 0.6);
       scenario.way_points = strolling(scenario.way_points, furnished, clearance, random);
     }
     varyRadio(config.level, scenario.recording.radio, random);

@@ -194,8 +194,11 @@ MappingNodelet::Mapping MappingNodelet::publishMap(Judging judging) {
   Mapping mapping{mapper_->corrected(mapped_by_), nullptr};
   if (const std::shared_ptr<const Snapshot> inferred = mapping.copy.mapper.infer(stop_)) {
     const auto judged = std::make_shared<Snapshot>(*inferred);
-    judging == Judging::kAll ? judge_.judgeAll(mapping.copy.mapper, *judged, stop_)
-                             : judge_.judgeChanged(mapping.copy.mapper, *judged, stop_);
+    if (judging == Judging::kAll) {
+      judge_.judgeAll(mapping.copy.mapper, *judged, stop_);
+    } else if (judge_.judgeChanged(mapping.copy.mapper, *judged, stop_)) {
+      changed_ = true;  // the others are judged at the next refresh, even if nothing more is heard
+    }
     mapping.snapshot = stop_ ? nullptr : judged;
   }
   const std::lock_guard<std::mutex> lock(publishing_);

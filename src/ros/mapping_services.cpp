@@ -7,6 +7,7 @@
 #include "mapping_nodelet.h"
 #include "message_conversion.h"
 #include "structure_from_wifi/map_files.h"
+#include "structure_from_wifi/map_notes.h"
 #include "structure_from_wifi/octomap_export.h"
 
 namespace sfw {
@@ -93,8 +94,8 @@ bool MappingNodelet::saveMap(const structure_from_wifi::SaveMap::Request& reques
       response.message = "mapping is shutting down";
       return true;
     }
-    if (mapping.snapshot->drift && mapping.snapshot->drift->suspect) {
-      NODELET_WARN_STREAM_ONCE(getName() << ": " << kDriftNote);
+    for (const std::string& note : mapNotes(*mapping.snapshot)) {
+      NODELET_WARN_STREAM(getName() << ": " << note);
     }
     const Mapper& mapper = mapping.copy.mapper;
     writeRecording(mapper.readings(), mapper.contacts(), *mapping.snapshot, directory);

@@ -63,7 +63,7 @@ TEST(Tomography, FindsFreeSpaceAndHearsWallsInAFlat) {
   EXPECT_GE(evaluation.map.free.iou, 0.75);
   EXPECT_GE(*evaluation.map.radio->auc, 0.9);
   EXPECT_GE(*evaluation.map.radio->auc_off_path, 0.7);
-  EXPECT_EQ(snapshot->tomography->follows_walls, 1.0);
+  EXPECT_EQ(snapshot->tomography->style, (StyleShares{1.0, 0.0, 0.0}));
 }
 
 TEST(Tomography, HearsNothingInSignalsAtWrongPlaces) {
@@ -208,7 +208,7 @@ TEST(ShippedBelief, IsCalibratedOnDrivesThatItWasNotFittedTo) {
     PlanGeneratorConfig building;
     building.seed = static_cast<std::uint64_t>(seed);
     building.area = 40.0 + 4.0 * i;
-    const DrivingStyle style = i % 2 == 0 ? DrivingStyle::kAlongWalls : DrivingStyle::kAnyPath;
+    const auto style = static_cast<DrivingStyle>(i % kDrivingStyles);
     const auto drive = makeTrainingDrive(generatePlan(building).plan, style, seed);
     if (!drive) {
       continue;
@@ -226,9 +226,9 @@ TEST(ShippedBelief, IsCalibratedOnDrivesThatItWasNotFittedTo) {
       }
     }
     const DescribedDrive described = describeDrive(mapped, Config(), never);
-    const double follows = model.followsWalls(described.cells.style);
+    const StyleShares shares = model.shares(described.cells.style);
     for (std::size_t k = 0; k < described.cells.cells.size(); k += 7) {
-      const double p = model.free(described.cells.values[k], follows, true);
+      const double p = model.free(described.cells.values[k], shares, true);
       const Cell at =
           drive->truth.geometry.cellAt(described.frame.toMap(described.cells.geometry.centre(
               described.cells.geometry.cell(described.cells.cells[k]))));

@@ -105,6 +105,9 @@ TEST_F(AccessPointsTest, ShowsWhatIsEstimatedAndWhatIsSuspect) {
   ASSERT_TRUE(spinUntil([&] { return isJudged() && markers_ && marker("doubts", 1); }, 10.0));
   ASSERT_NE(marker("access_points", 0), nullptr);
   ASSERT_NE(marker("access_points", 1), nullptr);
+  for (const int number : {0, 1, 2}) {
+    ASSERT_NE(marker("names", number), nullptr);
+  }
   EXPECT_NE(marker("access_points", 0)->color, marker("access_points", 1)->color);
   EXPECT_EQ(marker("names", 0)->text, kNear);
   EXPECT_NE(marker("names", 1)->text.find("sounds as if 4."), std::string::npos)
@@ -113,6 +116,7 @@ TEST_F(AccessPointsTest, ShowsWhatIsEstimatedAndWhatIsSuspect) {
       << marker("names", 2)->text;
   EXPECT_EQ(marker("uncertainty", 0), nullptr);
   EXPECT_EQ(marker("doubts", 0), nullptr);
+  ASSERT_NE(marker("doubts", 1), nullptr);
   EXPECT_EQ(marker("doubts", 1)->points.size(), 2U);
   const visualization_msgs::Marker* ellipse = marker("uncertainty", 2);
   ASSERT_NE(ellipse, nullptr);
@@ -127,7 +131,10 @@ TEST_F(AccessPointsTest, ShowsWhatIsEstimatedAndWhatIsSuspect) {
 TEST_F(AccessPointsTest, JudgesNothingFromAFewReadings) {
   drive(5);
   ASSERT_TRUE(spinUntil(
-      [&] { return told_ && !told_->access_points.empty() && told_->access_points[0].readings; },
+      [&] {
+        return told_ && !told_->access_points.empty() && told_->access_points[0].readings &&
+               markers_;
+      },
       5.0));
   for (const structure_from_wifi::AccessPoint& access_point : told_->access_points) {
     EXPECT_TRUE(std::isnan(access_point.fit_db));

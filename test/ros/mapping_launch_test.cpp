@@ -215,6 +215,7 @@ TEST_F(Mapping, LeavesAloneWhatItCannotReplace) {
 
 TEST_F(Mapping, AResetForgetsEverythingButTheGeometry) {
   waitUntilQuiet();
+  ASSERT_TRUE(spinUntil([] { return world().map != nullptr; }, 30.0));
   const nav_msgs::MapMetaData info = world().map->info;
   world().layer->holdGeometry();
   world().map.reset();

@@ -1,0 +1,85 @@
+#include "structure_from_wifi/map_notes.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+namespace sfw {
+namespace {
+
+/// Standard deviations of the positions along and across their main direction [m].
+Eigen::Vector2d spreadOf(const std::vector<PathPose>& path) {
+  const auto count = static_cast<double>(path.size());
+  Position mean = Position::Zero();
+  for (const PathPose& pose : path) {
+    mean += pose.antenna_in_map / count;
+  }
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
+  for (const PathPose& pose : path) {
+    const Position away = pose.antenna_in_map - mean;
+    covariance += away * away.transpose() / count;
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(covariance, Eigen::EigenvaluesOnly);
+  return solver.eigenvalues().cwiseMax(0.0).cwiseSqrt().reverse();
+}
+
+void addNoteOnPath(const Snapshot& snapshot, std::vector<std::string>& notes) {
+  constexpr double kStanding = 0.5;   // [m]
+  constexpr double kStraight = 0.15;  // [m]
+  if (snapshot.path.empty()) {
+    notes.emplace_back("no pose is known: the map is empty");
+    return;
+  }
+  const Eigen::Vector2d spread = spreadOf(snapshot.path);
+  if (spread[0] < kStanding) {
+    notes.emplace_back(
+        "the robot hardly moved: the map shows little but its place; drive it through the "
+        "building");
+  } else if (spread[1] < kStraight) {
+    notes.emplace_back(
+        "the path is straight: it does not tell what lies beside it; drive through the rooms, and "
+        "along their walls");
+  }
+}
+
+void addNoteOnSignals(const Snapshot& snapshot, std::vector<std::string>& notes) {
+  constexpr std::size_t kFewReadings = 50;
+  constexpr double kAlike = 0.5;  // [dB], half a step of most radios
+  std::size_t readings = 0;
+  double deviation_db = 0.0;
+  for (const AccessPointSummary& summary : snapshot.access_points) {
+    if (isPlaced(summary)) {
+      readings += summary.readings;
+      deviation_db = std::max(deviation_db, summary.rssi_deviation_db);
+    }
+  }
+  if (readings == 0) {
+    notes.emplace_back(
+        "no access point that was heard has a place: the map shows what the path alone tells; list "
+        "access points with their positions");
+  } else if (readings < kFewReadings) {
+    notes.push_back("only " + std::to_string(readings) +
+                    (readings == 1 ? " reading is" : " readings are") +
+                    " of access points with a place: too few to tell of walls");
+  } else if (deviation_db < kAlike) {
+    notes.emplace_back(
+        "all signals of an access point are alike: they tell nothing of walls; look whether the "
+        "wireless driver reports RSSI");
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> mapNotes(const Snapshot& snapshot) {
+  std::vector<std::string> notes;
+  addNoteOnPath(snapshot, notes);
+  addNoteOnSignals(snapshot, notes);
+  if (snapshot.drift && snapshot.drift->suspect) {
+    notes.emplace_back(
+        "the path looks as if it drifted: where it comes back to a place, signals differ as they "
+        "do from room to room");
+  }
+  return notes;
+}
+
+}  // namespace sfw

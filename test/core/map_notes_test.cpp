@@ -1,0 +1,88 @@
+#include "structure_from_wifi/map_notes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "mapper_scene.h"
+#include "structure_from_wifi/map_files.h"
+
+namespace sfw {
+namespace {
+
+const Position kAccessPoint(2.0, 1.5);
+
+using Place = std::function<Position(int)>;
+using Signal = std::function<double(const Position&)>;
+
+/// Lanes through a hall of 8 x 5 m.
+Position lanes(int i) {
+  const int lane = i / 80;
+  return {0.1 * (lane % 2 == 0 ? i % 80 : 80 - i % 80), lane};
+}
+
+double fading(const Position& place) {
+  return -40.0 - 20.0 * std::log10(std::max(0.3, (place - kAccessPoint).norm()));
+}
+
+/// Maps a drive with both methods: the same notes have to come from either.
+std::string notesOf(const Place& place, const Signal& signal, int count, int heard = 1) {
+  std::string notes;
+  for (const char* method : {"tomography", "k_visibility"}) {
+    Config config = test::rawConfig();
+    config.method = method;
+    Mapper mapper(config, {test::accessPoint(1, kAccessPoint.x(), kAccessPoint.y())});
+    for (int i = 0; i < count; ++i) {
+      const Position at = place(i);
+      mapper.insert(test::reading(i, at.x(), at.y(), signal(at), heard));
+    }
+    const auto snapshot = mapper.infer();
+    EXPECT_TRUE(snapshot);
+    std::string all;
+    for (const std::string& note : mapNotes(*snapshot)) {
+      all += note + '\n';
+      EXPECT_NE(reportJson(*snapshot, config).find(note), std::string::npos) << note;
+    }
+    EXPECT_TRUE(notes.empty() || notes == all) << notes << all;
+    notes = all;
+  }
+  return notes;
+}
+
+bool tells(const std::string& notes, const char* what) {
+  return notes.find(what) != std::string::npos;
+}
+
+TEST(MapNotes, AreSilentAboutAGoodDrive) { EXPECT_EQ(notesOf(lanes, fading, 400), ""); }
+
+TEST(MapNotes, TellOfOneReading) {
+  const std::string notes = notesOf(lanes, fading, 1);
+  EXPECT_TRUE(tells(notes, "hardly moved")) << notes;
+  EXPECT_TRUE(tells(notes, "only 1 reading is")) << notes;
+}
+
+TEST(MapNotes, TellOfAStraightPathInAnyDirection) {
+  for (const double bearing : {0.0, 0.6, 1.57}) {
+    const auto straight = [&](int i) {
+      return Position(0.1 * i * std::cos(bearing), 0.1 * i * std::sin(bearing));
+    };
+    const std::string notes = notesOf(straight, fading, 80);
+    EXPECT_TRUE(tells(notes, "path is straight")) << notes;
+  }
+}
+
+TEST(MapNotes, TellOfSignalsThatAreAlike) {
+  const std::string notes = notesOf(
+      lanes, [](const Position&) { return -60.0; }, 400);
+  EXPECT_TRUE(tells(notes, "alike")) << notes;
+}
+
+TEST(MapNotes, TellThatNothingHeardHasAPlace) {
+  const std::string notes = notesOf(lanes, fading, 400, 2);
+  EXPECT_TRUE(tells(notes, "no access point that was heard has a place")) << notes;
+}
+
+}  // namespace
+}  // namespace sfw
