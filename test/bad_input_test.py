@@ -118,6 +118,13 @@ class BadConfig(CommandLine):
     def test_a_directory(self):
         self.bad(self.map("--config", self.folder), self.folder)
 
+    def test_a_model_that_is_not_there(self):
+        missing = self.folder / "missing_model.yaml"
+        config = self.write("config.yaml", f"belief: {{model: {missing}}}")
+        run = self.map("--config", config)
+        self.bad(run, missing, "No such file")
+        self.assertNotIn(str(self.access_points), run.stderr)
+
     def test_contacts(self):
         contacts = self.write("contacts.csv", "stamp,x,y\n0,1,1\n1,inf,1\n")
         self.bad(self.map("--contacts", contacts), "contacts.csv", "line 3")

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "structure_from_wifi/cell_features.h"
+#include "structure_from_wifi/config.h"
 #include "structure_from_wifi/path_style.h"
 
 namespace sfw {
@@ -60,5 +61,9 @@ std::string toYaml(const BeliefModel& model);
 
 /// The model that the package ships, config/belief_model.yaml as it was when the package was built.
 BeliefModel shippedBeliefModel();
+
+/// The model that belief/model names, or the one that is shipped.
+/// @throw InputError naming its file and what is wrong with it.
+BeliefModel configuredBeliefModel(const Config::Belief& config);
 
 }  // namespace sfw

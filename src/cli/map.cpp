@@ -47,7 +47,12 @@ Config loadConfig(const MapOptions& options) {
 
 Mapper mapperFor(const std::string& access_points, const Config& config) {
   const std::vector<AccessPoint> table = readAccessPoints(access_points);
-  return Mapper(config, table);
+  configuredBeliefModel(config.belief);  // a complaint is about its file, not about the table
+  try {
+    return Mapper(config, table);
+  } catch (const InputError& error) {
+    throw InputError(access_points + ": " + error.what());
+  }
 }
 
 void insertBag(const MapOptions& options, const Config::Ros& config, Mapper& mapper) {

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "structure_from_wifi/input_error.h"
+#include "text.h"
 
 namespace sfw {
 namespace {
@@ -161,6 +162,11 @@ BeliefModel parseBeliefModel(const std::string& yaml, const std::string& name) {
   } catch (const std::invalid_argument& error) {
     throw InputError(name + ": " + error.what());
   }
+}
+
+BeliefModel configuredBeliefModel(const Config::Belief& config) {
+  return config.model.empty() ? shippedBeliefModel()
+                              : parseBeliefModel(readFile(config.model), config.model);
 }
 
 std::string toYaml(const BeliefModel& model) {

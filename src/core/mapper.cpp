@@ -66,11 +66,6 @@ GridGeometry firstGeometry(const Config& config, const std::vector<AccessPoint>&
   }
 }
 
-BeliefModel beliefModel(const Config::Belief& config) {
-  return config.model.empty() ? shippedBeliefModel()
-                              : parseBeliefModel(readFile(config.model), config.model);
-}
-
 }  // namespace
 
 const char* toString(Insertion insertion) {
@@ -95,7 +90,7 @@ const char* toString(Insertion insertion) {
 
 Mapper::Mapper(const Config& config, const std::vector<AccessPoint>& access_points)
     : config_(config),
-      model_(beliefModel(config.belief)),
+      model_(configuredBeliefModel(config.belief)),
       access_points_(access_points),
       extent_(extentOf(access_points)),
       geometry_(firstGeometry(config, access_points)) {
