@@ -90,6 +90,18 @@ class BadAccessPoints(CommandLine):
         self.bad(self.map(access_points=self.folder), self.folder, "directory")
 
 
+class PoseAstray(CommandLine):
+    def test_a_path_too_long_for_the_map(self):
+        path = [HEADER] + ["%d,%.1f,1,%s,-50" % (i, 0.1 * i, NEAR) for i in range(20)]
+        table = self.write("table.yaml",
+                           "access_points:\n  - {bssid: \"%s\", x: 1, y: 1}\n" % NEAR)
+        config = self.write("config.yaml",
+                            "map: {max_cells: 3000, growth_step: 0.5, margin: 0.1}")
+        readings = self.write("path.csv", "\n".join(path))
+        self.bad(self.map("--config", config, readings=readings, access_points=table),
+                 "map/max_cells (3000)", "astray")
+
+
 class BadConfig(CommandLine):
     def check(self, content, *words):
         config = self.write("config.yaml", content)

@@ -37,7 +37,7 @@ struct DescribedDrive {
 /// Solves for the walls and describes all cells.
 /// @param drive  with at least one position
 /// @param stop   polled; when it turns true the result is incomplete
-/// @throw std::invalid_argument if the grid would have more than four times map/max_cells.
+/// @throw InputError if the grid would have more than four times map/max_cells.
 DescribedDrive describeDrive(const MappedDrive& drive, const Config& config,
                              const std::atomic<bool>& stop);
 

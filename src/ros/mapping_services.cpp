@@ -94,10 +94,14 @@ bool MappingNodelet::saveMap(const structure_from_wifi::SaveMap::Request& reques
       response.message = "mapping is shutting down";
       return true;
     }
-    for (const std::string& note : mapNotes(*mapping.snapshot)) {
-      NODELET_WARN_STREAM(getName() << ": " << note);
-    }
     const Mapper& mapper = mapping.copy.mapper;
+    if (mapper.readings().empty()) {
+      response.message = "nothing has been heard: there is nothing to save in " + directory;
+      return true;
+    }
+    for (const std::string& note : mapNotes(*mapping.snapshot)) {
+      NODELET_WARN_STREAM(note);
+    }
     writeRecording(mapper.readings(), mapper.contacts(), *mapping.snapshot, directory);
     writeMapFiles(*mapping.snapshot, config_, directory);
     response.success = 1;

@@ -6,7 +6,9 @@ Usage: node_test.py RESULT.xml MAPPING_NODE
 
 import pathlib
 import signal
+import subprocess
 import sys
+import tempfile
 import time
 import unittest
 
@@ -85,6 +87,33 @@ class Node(unittest.TestCase):
         status, seconds = self.interrupt(self.start({"access_points": TABLE}))
         self.assertEqual(status, 0)
         self.assertLess(seconds, 1.0)
+
+
+class LaunchArguments(unittest.TestCase):
+    LAUNCH = pathlib.Path(__file__).resolve().parent.parent.parent / "launch" / "mapping.launch"
+
+    def parameters(self, config, *arguments):
+        with tempfile.NamedTemporaryFile("w", suffix=".yaml") as file:
+            file.write(config)
+            file.flush()
+            run = subprocess.run(["roslaunch", "--dump-params", self.LAUNCH, "rviz:=false",
+                                  "config:=" + file.name, *arguments],
+                                 capture_output=True, text=True, timeout=60, check=True)
+        return dict(line.strip().split(": ", 1) for line in run.stdout.splitlines()
+                    if line.startswith("/"))
+
+    def test_leave_settings_of_the_config_alone(self):
+        config = "ros: {map_frame: world, antenna_frame: wifi_link, save_directory: /maps}\n"
+        parameters = self.parameters(config)
+        self.assertEqual(parameters["/mapping/ros/map_frame"], "world")
+        self.assertEqual(parameters["/mapping/ros/antenna_frame"], "wifi_link")
+        self.assertEqual(parameters["/mapping/ros/save_directory"], "/maps")
+
+    def test_win_over_the_config(self):
+        parameters = self.parameters("ros: {map_frame: world, antenna_frame: wifi_link}\n",
+                                     "map_frame:=floor")
+        self.assertEqual(parameters["/mapping/ros/map_frame"], "floor")
+        self.assertEqual(parameters["/mapping/ros/antenna_frame"], "wifi_link")
 
 
 if __name__ == "__main__":
