@@ -3,6 +3,7 @@
 #include <octomap/OcTree.h>
 
 #include <cstdlib>
+#include <fstream>
 
 #include "mapping_nodelet.h"
 #include "message_conversion.h"
@@ -25,6 +26,13 @@ std::string withHome(const std::string& directory) {
   const char* home = std::getenv("HOME");
   const bool starts_at_home = directory.compare(0, 2, "~/") == 0;
   return starts_at_home && home != nullptr ? home + directory.substr(1) : directory;
+}
+
+/// Whether a recording was saved there that is not empty.
+bool holdsReadings(const std::string& directory) {
+  std::ifstream file(directory + "/readings.csv");
+  std::string line;
+  return std::getline(file, line) && std::getline(file, line);
 }
 
 }  // namespace
@@ -95,8 +103,8 @@ bool MappingNodelet::saveMap(const structure_from_wifi::SaveMap::Request& reques
       return true;
     }
     const Mapper& mapper = mapping.copy.mapper;
-    if (mapper.readings().empty()) {
-      response.message = "nothing has been heard: there is nothing to save in " + directory;
+    if (mapper.readings().empty() && holdsReadings(directory)) {
+      response.message = "nothing has been heard: the recording in " + directory + " stays";
       return true;
     }
     for (const std::string& note : mapNotes(*mapping.snapshot)) {

@@ -216,6 +216,8 @@ TEST_F(Mapping, LeavesAloneWhatItCannotReplace) {
 TEST_F(Mapping, AResetForgetsEverythingButTheGeometry) {
   waitUntilQuiet();
   ASSERT_TRUE(spinUntil([] { return world().map != nullptr; }, 30.0));
+  const auto kept = contentOf(saveDirectory() / "first");
+  ASSERT_FALSE(kept.empty()) << "SavesTheMap comes before";
   const nav_msgs::MapMetaData info = world().map->info;
   world().layer->holdGeometry();
   world().map.reset();
@@ -232,6 +234,9 @@ TEST_F(Mapping, AResetForgetsEverythingButTheGeometry) {
   const auto tree = OctomapReader::read(*world().binary);
   ASSERT_NE(tree, nullptr);
   EXPECT_EQ(tree->size(), 0U);
+  EXPECT_FALSE(save("first").success) << "nothing takes the place of a recording";
+  EXPECT_EQ(contentOf(saveDirectory() / "first"), kept);
+  EXPECT_TRUE(save("empty").success);
 }
 
 }  // namespace
