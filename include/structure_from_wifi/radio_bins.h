@@ -58,4 +58,5 @@ double logDistance(const HeardAccessPoint& access_point, const Position& place);
 ///                  left out
 double explainedShare(const std::vector<HeardAccessPoint>& heard,
                       const std::vector<std::vector<double>>& ray_loss);
+
 }  // namespace sfw

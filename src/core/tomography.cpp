@@ -21,9 +21,10 @@ constexpr float kContact = 0.95F;    // the robot ran into it
 /// Access points farther than this from the way shape no walls near it [m].
 constexpr double kFarthestAccessPoint = 30.0;
 
-/// Shares of the signals that walls explain, as far as the belief reckons with them: from about the
-/// middle of the training drives to where few lie. Signals at wrong places explain too little and
-/// would make it doubt all it knows from the path; few readings of many walls explain too much.
+/// Shares of the signals that walls explain, as far as the belief reckons with them: a little above
+/// the median of the training drives (.5), and what one of ten or twenty of them passes. Signals at
+/// wrong places explain too little and would make it doubt all it knows from the path; few readings
+/// of many walls explain too much.
 constexpr double kLeastExplained = 0.55;
 constexpr double kMostExplained = 0.7;
 
