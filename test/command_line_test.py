@@ -194,6 +194,20 @@ class Comparison(CommandLine):
         self.assertIn("the same", self.good(self.sfw(*judge, "the same=%s" % made)).stdout)
         for words in (made, "=%s" % made, "title=none.yaml"):
             self.assertEqual(self.sfw(*judge, words).returncode, 1)
+        twice = self.sfw(*judge, "the same=%s" % made, "--beside", "the same=%s" % made)
+        self.assertEqual(twice.returncode, 1)
+        self.assertIn("'the same' twice", twice.stderr)
+
+    def test_probabilities_that_are_named_are_taken_for_those_beside_the_map(self):
+        self.good(self.map())
+        beside = self.output / "probability.yaml"
+        named = self.output / "named.yaml"
+        named.write_text(beside.read_text())
+        beside.write_text("broken")
+        judge = ("evaluate", "--map", self.output / "map.yaml", "--truth",
+                 self.output / "map.yaml", "--readings", self.readings)
+        self.assertEqual(self.sfw(*judge).returncode, 1)
+        self.good(self.sfw(*judge, "--probability", named))
 
 
 class BadOutput(CommandLine):

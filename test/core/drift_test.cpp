@@ -52,6 +52,17 @@ TEST(Drift, SuspectsAPathThatDoesNot) {
   EXPECT_TRUE(check->suspect);
 }
 
+TEST(Drift, TakesTheJitterOfAStandingRobotForNoWay) {
+  std::vector<Sample> samples = twoLaps(Position::Zero());
+  samples.resize(samples.size() / 2);  // one lap: it comes back to nothing
+  Random random(8, 9, 10);
+  for (int i = 0; i < 2000; ++i) {
+    const Position jitter(0.02 * random.normal(), 0.02 * random.normal());
+    samples.push_back({samples.front().antenna_in_map + jitter, -60.0 + random.normal()});
+  }
+  EXPECT_FALSE(checkDrift({samples}));
+}
+
 TEST(Drift, TakesNoiseOff) {
   const auto quiet = checkDrift({twoLaps(Position::Zero(), 0.0)});
   const auto loud = checkDrift({twoLaps(Position::Zero(), 5.0)});
