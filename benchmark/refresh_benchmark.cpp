@@ -20,6 +20,7 @@
 #include <string_view>
 #include <vector>
 
+#include "markers.h"
 #include "message_conversion.h"
 #include "structure_from_wifi/mapper.h"
 #include "structure_from_wifi/octomap_export.h"
@@ -136,12 +137,13 @@ double plainSeconds(const std::vector<HeardAccessPoint>& heard, const WallFieldC
     for (const RadioBin& bin : one.bins) {
       box.extend(bin.place);
     }
-    LineField field(
-        GridGeometry::covering(box, config.line_resolution, config.line_resolution, 10000000));
+    LineField field{LatticeLoss(LineLattice{
+        GridGeometry::covering(box, config.line_resolution, config.line_resolution, 10000000)})};
+    LatticeLoss& loss = field.front();
     const auto size =
         static_cast<Eigen::Index>((1.0 - config.left_out) * static_cast<double>(one.bins.size()));
     const Eigen::MatrixXd precision = Eigen::MatrixXd::Constant(size, size, 0.5);
-    const GridGeometry geometry = field.across_x.geometry;
+    const GridGeometry& geometry = loss.lattice.geometry;
     sum += cpuSeconds([&] {
       Eigen::VectorXd losses(size);
       for (Eigen::Index i = 0; i < size; ++i) {
@@ -151,11 +153,10 @@ double plainSeconds(const std::vector<HeardAccessPoint>& heard, const WallFieldC
       for (Eigen::Index i = 0; i < size; ++i) {
         forEachLine(geometry, one.position, one.bins[static_cast<std::size_t>(i)].place,
                     [&](bool across_x, Cell c) {
-                      (across_x ? field.across_x : field.across_y)[c] +=
-                          static_cast<float>(pull[i]);
+                      (across_x ? loss.across_x : loss.across_y)[c] += static_cast<float>(pull[i]);
                     });
       }
-      return static_cast<double>(field.across_x.cells.front());
+      return static_cast<double>(loss.across_x.cells.front());
     });
   }
   return sum * 2.0 * config.line.iterations * config.members;

@@ -33,12 +33,13 @@ struct Config {
 
   /// From all readings to the losses of walls.
   struct Tomography {
-    double bin = 0.2;           ///< readings of one access point this close count as one [m]
-    double saturation = 0.0;    ///< losses of all walls stay below [dB]; 0: they add up
-    double sparsity = 0.03;     ///< weight of the sum of all losses: fewer walls
-    double straightness = 8.0;  ///< weight of changes along a wall: longer walls
-    double unexplained = 2.0;   ///< standard deviation of a bin that nothing explains [dB]
-    std::int64_t members = 8;   ///< solutions that are averaged
+    double bin = 0.2;             ///< readings of one access point this close count as one [m]
+    double saturation = 0.0;      ///< losses of all walls stay below [dB]; 0: they add up
+    double sparsity = 0.03;       ///< weight of the sum of all losses: fewer walls
+    double straightness = 8.0;    ///< weight of changes along a wall: longer walls
+    double unexplained = 2.0;     ///< standard deviation of a bin that nothing explains [dB]
+    std::int64_t directions = 2;  ///< that walls may have: 2, 4, 6 or 8
+    std::int64_t members = 8;     ///< solutions that are averaged
   } tomography;
 
   /// From wall counts to cells.
@@ -101,6 +102,7 @@ void forEachSetting(AnyConfig& config, Visitor&& visit) {
   visit("tomography/sparsity", config.tomography.sparsity);
   visit("tomography/straightness", config.tomography.straightness);
   visit("tomography/unexplained", config.tomography.unexplained);
+  visit("tomography/directions", config.tomography.directions);
   visit("tomography/members", config.tomography.members);
   visit("inference/footprint_radius", config.inference.footprint_radius);
   visit("inference/max_gap", config.inference.max_gap);

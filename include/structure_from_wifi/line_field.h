@@ -23,9 +23,27 @@ struct LineFieldConfig {
   int iterations = 60;          ///< of each of the two rounds; few: stopping early smooths
 };
 
-/// How much signal each piece of wall takes away.
-struct LineField {
-  explicit LineField(const GridGeometry& geometry) : across_x(geometry), across_y(geometry) {}
+/// Where walls may stand that lie in two directions at right angles: on the middle lines of the
+/// cells of a grid that is turned against the building's axes.
+struct LineLattice {
+  GridGeometry geometry;
+  double yaw_rad = 0.0;  ///< of the grid's x axis in the building frame
+
+  /// Coordinates along the lattice's axes: a rotation about the origin.
+  Position toLattice(const Position& in_building) const {
+    return Eigen::Rotation2Dd(-yaw_rad) * in_building;
+  }
+  Position toBuilding(const Position& in_lattice) const {
+    return Eigen::Rotation2Dd(yaw_rad) * in_lattice;
+  }
+};
+
+/// How much signal each piece of wall on a lattice takes away.
+struct LatticeLoss {
+  explicit LatticeLoss(const LineLattice& of)
+      : lattice(of), across_x(of.geometry), across_y(of.geometry) {}
+
+  LineLattice lattice;
 
   /// Loss [dB] of a wall through the middle of each cell, along y (`across_x`: rays that run along
   /// x cross it) or along x (`across_y`); 0 where no ray crosses or the robot has been.
@@ -33,16 +51,19 @@ struct LineField {
   Grid<float> across_y;
 };
 
+/// Walls in all directions: a ray loses what it loses on each lattice.
+using LineField = std::vector<LatticeLoss>;
+
 /// Calls `visit(across_x, Cell)` for each piece of wall that could stand between two points: the
-/// grid's cells whose middle lines the segment crosses strictly between its ends, those of columns
+/// cells whose middle lines the segment crosses strictly between its ends, those of columns
 /// (`across_x` true) first. The order is that from low to high coordinates, whichever end is first.
-/// @param from,to  finite, in the grid or not
+/// @param from,to  in the geometry's own axes, finite, in the grid or not
 /// O(lines of the grid crossed).
 template <class Visitor>
 void forEachLine(const GridGeometry& geometry, const Position& from, const Position& to,
                  Visitor&& visit);
 
-/// Sum of the losses between two points, before saturation [dB].
+/// Sum of the losses between two points of the building frame, before saturation [dB].
 double lossBetween(const LineField& field, const Position& from, const Position& to);
 
 /// Line-field tomography: walls from all readings of all access points at once.
@@ -53,12 +74,14 @@ double lossBetween(const LineField& field, const Position& from, const Position&
 /// cell along a wall: walls are few, long and straight. FISTA (Beck and Teboulle 2009), then again
 /// with w small where walls were found. Convex without saturation; deterministic.
 ///
-/// @param geometry  of the result, building frame
-/// @param driven    cells of that geometry that the robot covered: no wall stands there
+/// @param lattices  of the result; walls may stand on all of them
+/// @param heard     building frame
+/// @param driven    for each lattice, the cells that the robot covered: no wall stands there
 /// @param stop      polled; when it turns true the result is incomplete
-/// O(iterations x (bins + crossings of rays with the grid's lines)).
-LineField solveLineField(const GridGeometry& geometry, const std::vector<HeardAccessPoint>& heard,
-                         const Mask& driven, const LineFieldConfig& config,
+/// O(iterations x (bins + crossings of rays with the lattices' lines)).
+LineField solveLineField(const std::vector<LineLattice>& lattices,
+                         const std::vector<HeardAccessPoint>& heard,
+                         const std::vector<Mask>& driven, const LineFieldConfig& config,
                          const std::atomic<bool>& stop);
 
 template <class Visitor>

@@ -10,6 +10,7 @@ namespace sfw {
 /// Settings of the estimate of walls from radio alone.
 struct WallFieldConfig {
   LineFieldConfig line;
+  int directions = 2;            ///< that walls may have, even, at equal angles
   double line_resolution = 0.2;  ///< edge of a member's cells [m]
   int members = 8;               ///< solutions that are averaged
   double left_out = 0.3;         ///< share of the bins that each member does not hear
@@ -17,17 +18,20 @@ struct WallFieldConfig {
 
 /// What the radio alone says of walls, in the building frame.
 struct WallField {
-  /// Loss of a wall at each cell, mean over the members [dB]. A member's line fills all cells of
-  /// its own larger one, so sums along a ray count it that often: `ray_loss` does not.
-  LineField loss;
+  /// Each of the averaged solutions.
+  std::vector<LineField> members;
 
-  /// Of the wall at each cell, both directions together, less close to the robot's footprint, from
-  /// which it keeps walls away [dB].
+  /// Loss of the wall at each cell, mean over the members, all directions together; less close to
+  /// the robot's footprint, from which it keeps walls away [dB].
   Grid<float> strength;
 
-  /// Loss on the ray to each bin of each access point, mean over the members, unsaturated [dB].
+  /// Loss on the ray to each bin of each access point, as of lossBetween [dB].
   std::vector<std::vector<double>> ray_loss;
 };
+
+/// Sum of the losses between two points of the building frame, mean over the members, unsaturated
+/// [dB].
+double lossBetween(const WallField& field, const Position& from, const Position& to);
 
 /// Solves the line field several times, with lattices shifted against each other and each time
 /// without some of the bins, and averages: what all agree on stays sharp, the rest gets blurred as

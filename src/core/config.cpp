@@ -66,6 +66,9 @@ std::vector<std::string> validate(const Config& config) {
   rules.notNegative("tomography/sparsity", config.tomography.sparsity);
   rules.notNegative("tomography/straightness", config.tomography.straightness);
   rules.positive("tomography/unexplained", config.tomography.unexplained);
+  rules.require(config.tomography.directions >= 2 && config.tomography.directions <= 8 &&
+                    config.tomography.directions % 2 == 0,
+                "tomography/directions", config.tomography.directions, "2, 4, 6 or 8");
   rules.require(config.tomography.members >= 1 && config.tomography.members <= 100,
                 "tomography/members", config.tomography.members, "in 1..100");
   rules.notNegative("inference/footprint_radius", config.inference.footprint_radius);

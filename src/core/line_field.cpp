@@ -44,9 +44,10 @@ SinglePrecision precisionOf(const HeardAccessPoint& heard, const ShadowingModel&
 
 class Solver {
  public:
-  Solver(const GridGeometry& geometry, const std::vector<HeardAccessPoint>& heard,
-         const Mask& driven, const LineFieldConfig& config, const std::atomic<bool>& stop)
-      : config_(config), stop_(stop), geometry_(geometry), rays_(geometry, heard, driven, stop) {
+  Solver(const std::vector<LineLattice>& lattices, const std::vector<HeardAccessPoint>& heard,
+         const std::vector<Mask>& driven, const LineFieldConfig& config,
+         const std::atomic<bool>& stop)
+      : config_(config), stop_(stop), lattices_(lattices), rays_(lattices, heard, driven, stop) {
     hear(heard);
     const auto count = static_cast<Eigen::Index>(rays_.unknowns().size());
     continued_ = static_cast<float>(config.straightness) * rays_.unknowns().continued();
@@ -152,17 +153,24 @@ class Solver {
     }
   }
 
+  /// The losses along a direction.
+  template <class Field>
+  static auto& gridOf(Field& field, const Unknowns::Direction& direction) {
+    return direction.across_x ? field[direction.lattice].across_x
+                              : field[direction.lattice].across_y;
+  }
+
   void reweight() {
     const LineField found = field();
-    rays_.unknowns().forEach([&](Eigen::Index i, bool across_x, Cell c) {
-      const Grid<float>& loss = across_x ? found.across_x : found.across_y;
-      const std::int64_t reach_x = across_x ? kReweightAcross : kReweightAlong;
-      const std::int64_t reach_y = across_x ? kReweightAlong : kReweightAcross;
+    rays_.unknowns().forEach([&](Eigen::Index i, const Unknowns::Direction& direction, Cell c) {
+      const Grid<float>& loss = gridOf(found, direction);
+      const std::int64_t reach_x = direction.across_x ? kReweightAcross : kReweightAlong;
+      const std::int64_t reach_y = direction.across_x ? kReweightAlong : kReweightAcross;
       float sum = 0.0F;
       Cell at;
       for (at.y = c.y - reach_y; at.y <= c.y + reach_y; ++at.y) {
         for (at.x = c.x - reach_x; at.x <= c.x + reach_x; ++at.x) {
-          sum += geometry_.contains(at) ? loss[at] : 0.0F;
+          sum += loss.geometry.contains(at) ? loss[at] : 0.0F;
         }
       }
       constexpr auto kCells =
@@ -173,16 +181,16 @@ class Solver {
   }
 
   LineField field() const {
-    LineField field(geometry_);
-    rays_.unknowns().forEach([&](Eigen::Index i, bool across_x, Cell c) {
-      (across_x ? field.across_x : field.across_y)[c] = loss_[i];
+    LineField field(lattices_.begin(), lattices_.end());
+    rays_.unknowns().forEach([&](Eigen::Index i, const Unknowns::Direction& direction, Cell c) {
+      gridOf(field, direction)[c] = loss_[i];
     });
     return field;
   }
 
   const LineFieldConfig& config_;
   const std::atomic<bool>& stop_;
-  const GridGeometry& geometry_;
+  const std::vector<LineLattice>& lattices_;
   Rays rays_;
   std::vector<Heard> heard_;
   Vector unexplained_;        // signals less those expected without walls [dB], by ray
@@ -195,19 +203,22 @@ class Solver {
 
 }  // namespace
 
-LineField solveLineField(const GridGeometry& geometry, const std::vector<HeardAccessPoint>& heard,
-                         const Mask& driven, const LineFieldConfig& config,
+LineField solveLineField(const std::vector<LineLattice>& lattices,
+                         const std::vector<HeardAccessPoint>& heard,
+                         const std::vector<Mask>& driven, const LineFieldConfig& config,
                          const std::atomic<bool>& stop) {
-  return Solver(geometry, heard, driven, config, stop).solve();
+  return Solver(lattices, heard, driven, config, stop).solve();
 }
 
 double lossBetween(const LineField& field, const Position& from, const Position& to) {
-  const GridGeometry& geometry = field.across_x.geometry;
-  double loss = 0.0;
-  forEachLine(geometry, from, to, [&](bool across_x, Cell cell) {
-    loss += static_cast<double>((across_x ? field.across_x : field.across_y)[cell]);
-  });
-  return loss;
+  double sum = 0.0;
+  for (const LatticeLoss& loss : field) {
+    forEachLine(loss.lattice.geometry, loss.lattice.toLattice(from), loss.lattice.toLattice(to),
+                [&](bool across_x, Cell cell) {
+                  sum += static_cast<double>((across_x ? loss.across_x : loss.across_y)[cell]);
+                });
+  }
+  return sum;
 }
 
 }  // namespace sfw

@@ -5,8 +5,17 @@
 
 namespace sfw {
 
-Unknowns::Unknowns(const GridGeometry& geometry)
-    : width_(geometry.width()), height_(geometry.height()), number_(2 * geometry.size(), kNone) {}
+Unknowns::Unknowns(const std::vector<LineLattice>& lattices) {
+  std::int64_t slots = 0;
+  for (std::size_t i = 0; i < lattices.size(); ++i) {
+    const GridGeometry& geometry = lattices[i].geometry;
+    const auto cells = static_cast<std::int64_t>(geometry.size());
+    blocks_.push_back({{i, true}, slots, geometry.height(), slots + cells});
+    blocks_.push_back({{i, false}, slots + cells, geometry.width(), slots + 2 * cells});
+    slots += 2 * cells;
+  }
+  number_.assign(static_cast<std::size_t>(slots), kNone);
+}
 
 void Unknowns::number() {
   for (std::size_t slot = 0; slot < number_.size(); ++slot) {
@@ -18,20 +27,20 @@ void Unknowns::number() {
 }
 
 Eigen::ArrayXf Unknowns::continued() const {
-  Eigen::ArrayXf continued =
-      Eigen::ArrayXf::Zero(std::max<Eigen::Index>(static_cast<Eigen::Index>(slots_.size()) - 1, 0));
-  for (std::size_t i = 0; i + 1 < slots_.size(); ++i) {
-    const std::int64_t line = isAcrossX(slots_[i]) ? height_ : width_;
-    const std::int64_t place = isAcrossX(slots_[i]) ? slots_[i] : slots_[i] - width_ * height_;
-    const bool ends = (place + 1) % line == 0;
-    continued[static_cast<Eigen::Index>(i)] = slots_[i + 1] == slots_[i] + 1 && !ends ? 1.0F : 0.0F;
-  }
+  const std::size_t pairs = std::max<std::size_t>(slots_.size(), 1) - 1;
+  Eigen::ArrayXf continued = Eigen::ArrayXf::Zero(static_cast<Eigen::Index>(pairs));
+  forEachSlot([&](std::size_t i, const Block& block, std::int64_t place) {
+    const bool line_ends = (place + 1) % block.along == 0;
+    if (i < pairs && !line_ends && slots_[i + 1] == slots_[i] + 1) {
+      continued[static_cast<Eigen::Index>(i)] = 1.0F;
+    }
+  });
   return continued;
 }
 
-Rays::Rays(const GridGeometry& geometry, const std::vector<HeardAccessPoint>& heard,
-           const Mask& driven, const std::atomic<bool>& stop)
-    : unknowns_(geometry) {
+Rays::Rays(const std::vector<LineLattice>& lattices, const std::vector<HeardAccessPoint>& heard,
+           const std::vector<Mask>& driven, const std::atomic<bool>& stop)
+    : unknowns_(lattices) {
   SparseSums::Choice crossed;  // slots by ray
   for (const HeardAccessPoint& one : heard) {
     for (const RadioBin& bin : one.bins) {
@@ -39,14 +48,17 @@ Rays::Rays(const GridGeometry& geometry, const std::vector<HeardAccessPoint>& he
         return;
       }
       const auto ray = static_cast<std::int32_t>(size_++);
-      forEachLine(geometry, one.position, bin.place, [&](bool across_x, Cell cell) {
-        if (driven[cell] == 0) {
-          const std::int32_t slot = unknowns_.slot(across_x, cell);
-          unknowns_.add(slot);
-          crossed.sum.push_back(ray);
-          crossed.term.push_back(slot);
-        }
-      });
+      for (std::size_t i = 0; i < lattices.size(); ++i) {
+        forEachLine(lattices[i].geometry, lattices[i].toLattice(one.position),
+                    lattices[i].toLattice(bin.place), [&](bool across_x, Cell cell) {
+                      if (driven[i][cell] == 0) {
+                        const std::int32_t slot = unknowns_.slot({i, across_x}, cell);
+                        unknowns_.add(slot);
+                        crossed.sum.push_back(ray);
+                        crossed.term.push_back(slot);
+                      }
+                    });
+      }
     }
   }
   unknowns_.number();

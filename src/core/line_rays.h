@@ -17,15 +17,22 @@ namespace sfw {
 /// is done to neighbours along a wall has to look them up.
 class Unknowns {
  public:
-  /// @param geometry  must outlive this
-  explicit Unknowns(const GridGeometry& geometry);
+  /// One of the directions that walls may have.
+  struct Direction {
+    std::size_t lattice;  ///< which
+    bool across_x;        ///< walls along the lattice's y axis, otherwise along x
+  };
+
+  explicit Unknowns(const std::vector<LineLattice>& lattices);
 
   static constexpr std::int32_t kNone = -1;
 
-  /// Place of a piece among all that the grid could have, along its wall line.
-  std::int32_t slot(bool across_x, Cell cell) const {
-    return static_cast<std::int32_t>(across_x ? cell.x * height_ + cell.y
-                                              : (height_ + cell.y) * width_ + cell.x);
+  /// Place of a piece among all that the lattices could have, along its wall line.
+  std::int32_t slot(const Direction& direction, Cell cell) const {
+    const Block& block = blocks_[2 * direction.lattice + (direction.across_x ? 0 : 1)];
+    return static_cast<std::int32_t>(block.first + (direction.across_x
+                                                        ? cell.x * block.along + cell.y
+                                                        : cell.y * block.along + cell.x));
   }
 
   /// Makes a slot's piece an unknown.
@@ -42,15 +49,24 @@ class Unknowns {
   /// For each unknown but the last one whether the next one continues its wall: 1 or 0.
   Eigen::ArrayXf continued() const;
 
-  /// Calls `visit(number, across_x, Cell)` for each unknown.
+  /// Calls `visit(number, Direction, Cell)` for each unknown, in their order.
   template <class Visitor>
   void forEach(Visitor&& visit) const;
 
  private:
-  bool isAcrossX(std::int32_t slot) const { return slot < width_ * height_; }
+  /// The slots of a direction's wall lines, one line after another.
+  struct Block {
+    Direction direction;
+    std::int64_t first;  // slot
+    std::int64_t along;  // slots of a line
+    std::int64_t end;    // slot behind the last
+  };
 
-  std::int64_t width_;
-  std::int64_t height_;
+  /// Calls `visit(number, Block, place in the block)` for each unknown, in their order.
+  template <class Visitor>
+  void forEachSlot(Visitor&& visit) const;
+
+  std::vector<Block> blocks_;
   std::vector<std::int32_t> number_;  // by slot
   std::vector<std::int32_t> slots_;   // by number
 };
@@ -58,10 +74,10 @@ class Unknowns {
 /// All access points' rays, one after another, and the unknowns that each of them crosses.
 class Rays {
  public:
-  /// @param driven  cells where no wall can stand
+  /// @param driven  for each lattice, the cells where no wall can stand
   /// @param stop    polled; when it turns true there are no unknowns
-  Rays(const GridGeometry& geometry, const std::vector<HeardAccessPoint>& heard, const Mask& driven,
-       const std::atomic<bool>& stop);
+  Rays(const std::vector<LineLattice>& lattices, const std::vector<HeardAccessPoint>& heard,
+       const std::vector<Mask>& driven, const std::atomic<bool>& stop);
 
   const Unknowns& unknowns() const { return unknowns_; }
 
@@ -84,16 +100,24 @@ class Rays {
 };
 
 template <class Visitor>
-void Unknowns::forEach(Visitor&& visit) const {
+void Unknowns::forEachSlot(Visitor&& visit) const {
+  auto block = blocks_.begin();
   for (std::size_t i = 0; i < slots_.size(); ++i) {
-    const std::int64_t slot = slots_[i];
-    if (isAcrossX(slots_[i])) {
-      visit(static_cast<Eigen::Index>(i), true, Cell{slot / height_, slot % height_});
-    } else {
-      const std::int64_t row_major = slot - width_ * height_;
-      visit(static_cast<Eigen::Index>(i), false, Cell{row_major % width_, row_major / width_});
+    while (slots_[i] >= block->end) {
+      ++block;
     }
+    visit(i, *block, slots_[i] - block->first);
   }
+}
+
+template <class Visitor>
+void Unknowns::forEach(Visitor&& visit) const {
+  forEachSlot([&](std::size_t i, const Block& block, std::int64_t place) {
+    const std::int64_t line = place / block.along;
+    const std::int64_t along = place % block.along;
+    visit(static_cast<Eigen::Index>(i), block.direction,
+          block.direction.across_x ? Cell{line, along} : Cell{along, line});
+  });
 }
 
 }  // namespace sfw

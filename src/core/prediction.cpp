@@ -210,21 +210,19 @@ class Prediction {
         estimateWalls(path.geometry, known, path, config_.robot_radius, config_.walls, stop);
     for (const Part& part : parts) {
       add(part, nullptr, distance_);
-      add(part, &field.loss, walls_);
+      add(part, &field, walls_);
       bins_ += part.hidden.bins.size();
     }
   }
 
-  Bins describe(const HeardAccessPoint& heard, const LineField* field) const {
+  Bins describe(const HeardAccessPoint& heard, const WallField* field) const {
     const auto count = static_cast<Eigen::Index>(heard.bins.size());
     Bins bins{Eigen::VectorXd(count), Eigen::VectorXd::Zero(count), Eigen::MatrixXd(count, 2)};
     for (Eigen::Index i = 0; i < count; ++i) {
       const RadioBin& bin = heard.bins[static_cast<std::size_t>(i)];
       if (field != nullptr) {
-        // A member's wall lies in as many of the finer cells side by side as its own cell holds.
-        const double loss =
-            lossBetween(*field, heard.position, bin.place) * kGrid / config_.walls.line_resolution;
-        bins.wall_loss[i] = saturated(loss, config_.walls.line.saturation_db);
+        bins.wall_loss[i] = saturated(lossBetween(*field, heard.position, bin.place),
+                                      config_.walls.line.saturation_db);
       }
       bins.signals[i] = bin.rssi_dbm + bins.wall_loss[i];
       bins.basis.row(i) << 1.0, logDistance(heard, bin.place);
@@ -232,7 +230,7 @@ class Prediction {
     return bins;
   }
 
-  void add(const Part& part, const LineField* field, Squares& squares) const {
+  void add(const Part& part, const WallField* field, Squares& squares) const {
     Law law(part.known, describe(part.known, field), config_.shadowing);
     const Bins hidden = describe(part.hidden, field);
     const Eigen::VectorXd error = hidden.signals - law.mean(hidden);

@@ -68,6 +68,7 @@ WallFieldConfig wallFieldConfig(const Config::Tomography& config) {
   walls.line.sparsity = config.sparsity;
   walls.line.straightness = config.straightness;
   walls.line.shadowing.unexplained_db2 = config.unexplained * config.unexplained;
+  walls.directions = static_cast<int>(config.directions);
   walls.members = static_cast<int>(config.members);
   return walls;
 }
@@ -223,17 +224,12 @@ void settle(const Mask& path, const Config::Belief& config, Grid<float>& occupie
 }
 
 std::vector<std::vector<double>> sampleLosses(const MappedDrive& drive,
-                                              const DescribedDrive& described,
-                                              const Config::Tomography& config) {
-  // The field's cells repeat each line of the coarser lattice that it was solved on.
-  const double share =
-      described.walls.loss.across_x.geometry.resolution() / wallFieldConfig(config).line_resolution;
+                                              const DescribedDrive& described) {
   std::vector<std::vector<double>> losses;
   for (std::size_t i = 0; i < drive.heard.size(); ++i) {
     losses.emplace_back();
     for (const Sample& sample : drive.heard[i].samples) {
-      losses.back().push_back(share *
-                              lossBetween(described.walls.loss, described.heard[i].position,
+      losses.back().push_back(lossBetween(described.walls, described.heard[i].position,
                                           described.frame.toBuilding(sample.antenna_in_map)));
     }
   }
@@ -285,7 +281,7 @@ FusedBelief fuse(const GridGeometry& geometry, const MappedDrive& drive, const B
     occupied = 1.0F - occupied;
   }
   belief.wall_loss = onMap(geometry, described.walls.strength, described.frame, 0.0F);
-  belief.sample_loss = sampleLosses(drive, described, config.tomography);
+  belief.sample_loss = sampleLosses(drive, described);
   const Mask path = drivenPath(geometry, drive.path, config.inference).cells;
   enterFelt(drive, path, config, belief.occupied);
   settle(path, config.belief, belief.occupied);

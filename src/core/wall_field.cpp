@@ -26,13 +26,26 @@ double evenly(int number, int base) {
   return value;
 }
 
-/// A member's lattice: covers the result's, shifted by part of a cell.
-GridGeometry shifted(const GridGeometry& geometry, double resolution, int member) {
+/// A member's lattices: each covers the result's grid, shifted by part of a cell.
+std::vector<LineLattice> latticesOf(int member, const GridGeometry& geometry,
+                                    const WallFieldConfig& config) {
+  const double resolution = config.line_resolution;
   const Position offset(evenly(member, 2) * resolution, evenly(member, 3) * resolution);
-  const Position size = geometry.box().sizes();
-  return {resolution, geometry.origin() - offset,
-          static_cast<std::int64_t>(std::ceil(size.x() / resolution)) + 1,
-          static_cast<std::int64_t>(std::ceil(size.y() / resolution)) + 1};
+  std::vector<LineLattice> lattices;
+  for (int i = 0; i < config.directions / 2; ++i) {
+    LineLattice lattice{geometry, i * M_PI / config.directions};
+    Box box;
+    for (const auto corner : {Box::BottomLeft, Box::BottomRight, Box::TopLeft, Box::TopRight}) {
+      box.extend(lattice.toLattice(geometry.box().corner(corner)));
+    }
+    const Position size = box.sizes();
+    lattice.geometry =
+        GridGeometry(resolution, box.min() - offset,
+                     static_cast<std::int64_t>(std::ceil(size.x() / resolution)) + 1,
+                     static_cast<std::int64_t>(std::ceil(size.y() / resolution)) + 1);
+    lattices.push_back(lattice);
+  }
+  return lattices;
 }
 
 /// The bins that a member hears; all if it is the only one.
@@ -52,70 +65,69 @@ std::vector<HeardAccessPoint> heardBy(int member, const std::vector<HeardAccessP
   return part;
 }
 
-Mask coarsened(const Grid<double>& distance, const GridGeometry& coarse, double radius) {
-  Mask driven(coarse);
+/// Cells of a lattice whose middles are no farther from the path.
+Mask coveredOn(const LineLattice& lattice, const Grid<double>& distance, double radius) {
+  Mask driven(lattice.geometry);
   const GridGeometry& fine = distance.geometry;
-  Cell c;
-  for (c.y = 0; c.y < coarse.height(); ++c.y) {
-    for (c.x = 0; c.x < coarse.width(); ++c.x) {
-      const Cell at = fine.cellAt(coarse.centre(c));
-      driven[c] = fine.contains(at) && distance[at] * fine.resolution() <= radius ? 1 : 0;
-    }
+  for (std::size_t i = 0; i < driven.cells.size(); ++i) {
+    const Position centre = lattice.geometry.centre(lattice.geometry.cell(i));
+    const Cell at = fine.cellAt(lattice.toBuilding(centre));
+    driven.cells[i] = fine.contains(at) && distance[at] * fine.resolution() <= radius ? 1 : 0;
   }
   return driven;
 }
 
-void addTo(LineField& sum, const LineField& member, float share) {
-  const GridGeometry& fine = sum.across_x.geometry;
-  const GridGeometry& coarse = member.across_x.geometry;
-  Cell c;
-  for (c.y = 0; c.y < fine.height(); ++c.y) {
-    for (c.x = 0; c.x < fine.width(); ++c.x) {
-      const Cell at = coarse.cellAt(fine.centre(c));
-      sum.across_x[c] += share * member.across_x[at];
-      sum.across_y[c] += share * member.across_y[at];
+void addTo(Grid<float>& sum, const LineField& member, float share) {
+  for (const LatticeLoss& loss : member) {
+    for (std::size_t i = 0; i < sum.cells.size(); ++i) {
+      const Position centre = sum.geometry.centre(sum.geometry.cell(i));
+      const Cell at = loss.lattice.geometry.cellAt(loss.lattice.toLattice(centre));
+      sum.cells[i] += share * (loss.across_x[at] + loss.across_y[at]);
     }
   }
 }
 
-/// Both directions together, less where the robot is unlikely to have come so near to a wall.
-Grid<float> strengthOf(const LineField& loss, const Grid<double>& distance, double radius) {
-  const GridGeometry& geometry = loss.across_x.geometry;
-  Grid<float> strength(geometry);
+/// Takes off where the robot is unlikely to have come so near to a wall.
+void weakenBeside(const Grid<double>& distance, double radius, Grid<float>& strength) {
   for (std::size_t i = 0; i < strength.cells.size(); ++i) {
-    const double away = std::max(0.0, distance.cells[i] * geometry.resolution() - radius);
+    const double away = std::max(0.0, distance.cells[i] * strength.geometry.resolution() - radius);
     const double likely = 1.0 - std::exp(-away / kShyness);
-    strength.cells[i] =
-        static_cast<float>(likely * likely) * (loss.across_x.cells[i] + loss.across_y.cells[i]);
+    strength.cells[i] *= static_cast<float>(likely * likely);
   }
-  return strength;
 }
 
 }  // namespace
 
+double lossBetween(const WallField& field, const Position& from, const Position& to) {
+  double sum = 0.0;
+  for (const LineField& member : field.members) {
+    sum += lossBetween(member, from, to);
+  }
+  return sum / static_cast<double>(std::max<std::size_t>(field.members.size(), 1));
+}
+
 WallField estimateWalls(const GridGeometry& geometry, const std::vector<HeardAccessPoint>& heard,
                         const Mask& path, double robot_radius, const WallFieldConfig& config,
                         const std::atomic<bool>& stop) {
-  WallField result{LineField(geometry), Grid<float>(geometry), {}};
+  WallField result{{}, Grid<float>(geometry), {}};
+  const Grid<double> distance = distanceTransform(path);
+  for (int member = 0; member < config.members && !stop; ++member) {
+    const std::vector<LineLattice> lattices = latticesOf(member, geometry, config);
+    std::vector<Mask> driven;
+    for (const LineLattice& lattice : lattices) {
+      driven.push_back(coveredOn(lattice, distance, robot_radius));
+    }
+    result.members.push_back(
+        solveLineField(lattices, heardBy(member, heard, config), driven, config.line, stop));
+    addTo(result.strength, result.members.back(), 1.0F / static_cast<float>(config.members));
+  }
+  weakenBeside(distance, robot_radius, result.strength);
   for (const HeardAccessPoint& one : heard) {
     result.ray_loss.emplace_back(one.bins.size(), 0.0);
-  }
-  const Grid<double> distance = distanceTransform(path);
-  const double share = 1.0 / config.members;
-  for (int member = 0; member < config.members && !stop; ++member) {
-    const GridGeometry lattice = shifted(geometry, config.line_resolution, member);
-    const LineField field =
-        solveLineField(lattice, heardBy(member, heard, config),
-                       coarsened(distance, lattice, robot_radius), config.line, stop);
-    addTo(result.loss, field, static_cast<float>(share));
-    for (std::size_t i = 0; i < heard.size(); ++i) {
-      for (std::size_t j = 0; j < heard[i].bins.size() && !stop; ++j) {
-        result.ray_loss[i][j] +=
-            share * lossBetween(field, heard[i].position, heard[i].bins[j].place);
-      }
+    for (std::size_t i = 0; i < one.bins.size() && !stop; ++i) {
+      result.ray_loss.back()[i] = lossBetween(result, one.position, one.bins[i].place);
     }
   }
-  result.strength = strengthOf(result.loss, distance, robot_radius);
   return result;
 }
 

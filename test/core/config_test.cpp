@@ -103,6 +103,10 @@ TEST(Validate, AsksForWholeNumbersInTheirRange) {
   EXPECT_EQ(brokenBy("rssi/walls", std::int64_t{20}), Names());
   EXPECT_EQ(brokenBy("rssi/max_walls", std::int64_t{0}), Names{"rssi/max_walls"});
   EXPECT_EQ(brokenBy("rssi/max_walls", std::int64_t{21}), Names{"rssi/max_walls"});
+  for (const std::int64_t directions : {0, 3, 10}) {
+    EXPECT_EQ(brokenBy("tomography/directions", directions), Names{"tomography/directions"});
+  }
+  EXPECT_EQ(brokenBy("tomography/directions", std::int64_t{8}), Names());
 }
 
 TEST(Validate, AsksForAnOddWindow) {
