@@ -79,14 +79,23 @@ struct Rejections {
   std::map<Bssid, std::size_t> unknown_access_points;  ///< readings of each; the first 1000 heard
 };
 
+/// Poses at which the robot cannot have been, since it would have had to jump there and back. They
+/// count for nothing, nor does what was heard or touched there.
+struct StrayPoses {
+  std::size_t count = 0;
+  std::int64_t first_stamp_ns = 0;
+  double farthest_m = 0.0;  ///< from the believed pose before it, or after it if there is none
+};
+
 /// A map with all that went into it. Immutable, shared between threads.
 struct Snapshot {
   BeliefMap belief;
-  std::vector<PathPose> path;                     ///< in the order driven
+  std::vector<PathPose> path;                     ///< in the order driven, without stray poses
   std::vector<AccessPointSummary> access_points;  ///< in the order of the table
   Rejections rejections;
   std::optional<TomographySummary> tomography = {};  ///< of method tomography
   std::optional<DriftCheck> drift = {};              ///< once a Judge looked for it
+  StrayPoses stray = {};
 };
 
 /// From readings to the map: collects, then infers everything at once.
@@ -109,14 +118,20 @@ class Mapper {
   /// hold there is left out and counted. O(readings log fixes).
   void correct(const PathCorrection& correction);
 
-  /// Grows the map to that of another mapper; one that is too large changes nothing.
-  void growTo(const Mapper& other);
+  /// What the map reaches over without its margin: access points, path and contacts, and what it
+  /// once had to hold. O(readings log readings), as all that follows.
+  Box extent() const;
+
+  /// Lets the map reach over a box, whatever becomes of readings; one that is too large changes
+  /// nothing.
+  void growTo(const Box& extent);
 
   /// Forgets readings, path and contacts; the geometry stays.
   void reset();
 
-  /// The grid that the next snapshot will have. Grows in steps, never shrinks.
-  const GridGeometry& geometry() const { return geometry_; }
+  /// The grid that the next snapshot will have. Grows in steps, and shrinks only when poses turn
+  /// out to be stray.
+  GridGeometry geometry() const;
 
   /// Everything kept, once, by stamp and bssid: what a file needs to make the same map again.
   std::vector<Reading> readings() const;
@@ -146,11 +161,23 @@ class Mapper {
     std::vector<double> rssi_dbm;
   };
 
+  /// What of everything kept can be true.
+  struct Believed {
+    std::vector<PathPose> path;
+    std::vector<Reading> readings;
+    std::vector<Contact> contacts;
+    StrayPoses stray;
+  };
+  Believed believed() const;
+  Box extentOf(const Believed& believed) const;
+  GridGeometry geometryOf(const Box& extent) const;
+
   Insertion examined(const Reading& reading) const;
   Insertion accept(const Reading& reading);
 
-  /// Grows the map, if need be, so that it holds a point with its margin.
+  /// Whether the map can hold a point with its margin.
   Insertion makeRoomFor(const Position& point);
+  bool fits(const Box& extent) const;
 
   std::shared_ptr<const Snapshot> infer(Hearing hearing, const std::atomic<bool>& stop) const;
   /// The table with positions estimated where it has none; what cannot be placed is not heard.
@@ -158,9 +185,11 @@ class Mapper {
                                          const std::atomic<bool>& stop) const;
   static std::vector<Sample> samplesOf(const Series& series);
 
-  void inferByCounts(std::vector<Series>& heard, Hearing hearing, const std::atomic<bool>& stop,
+  void inferByCounts(std::vector<Series>& heard, Hearing hearing,
+                     const std::vector<Contact>& contacts, const std::atomic<bool>& stop,
                      Snapshot& snapshot) const;
-  void inferByTomography(std::vector<Series>& heard, Hearing hearing, const std::atomic<bool>& stop,
+  void inferByTomography(std::vector<Series>& heard, Hearing hearing,
+                         const std::vector<Contact>& contacts, const std::atomic<bool>& stop,
                          Snapshot& snapshot) const;
 
   std::vector<Series> seriesOf(const std::vector<Reading>& readings) const;  // by access point
@@ -171,8 +200,9 @@ class Mapper {
   BeliefModel model_;
   std::vector<AccessPoint> access_points_;
   std::map<Bssid, std::size_t> index_of_;
-  Box extent_;
-  GridGeometry geometry_;
+  Box least_extent_;  // that the map has without any reading
+  Box extent_;        // of all that was kept, stray or not, as far as it is needed to refuse more
+  std::size_t kept_when_believed_ = 0;  // when it was cut down to what is believed
   std::vector<Reading> readings_;
   std::vector<Contact> contacts_;
   Rejections rejections_;

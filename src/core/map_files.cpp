@@ -240,7 +240,9 @@ std::string reportJson(const Snapshot& snapshot, const Config& config) {
   report["method"] = config.method;
   report["notes"] = mapNotes(snapshot);
   report["map"] = describe(snapshot.belief);
-  report["path"] = {{"poses", snapshot.path.size()}, {"length_m", length_m}};
+  report["path"] = {{"poses", snapshot.path.size()},
+                    {"length_m", length_m},
+                    {"stray_poses", snapshot.stray.count}};
   if (snapshot.drift) {
     report["drift"] = describe(*snapshot.drift);
   }

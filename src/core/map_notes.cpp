@@ -3,6 +3,8 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 namespace sfw {
 namespace {
@@ -42,6 +44,19 @@ void addNoteOnPath(const Snapshot& snapshot, std::vector<std::string>& notes) {
   }
 }
 
+void addNoteOnStrayPoses(const StrayPoses& stray, std::vector<std::string>& notes) {
+  if (stray.count == 0) {
+    return;
+  }
+  std::ostringstream text;
+  text << stray.count << (stray.count == 1 ? " pose is" : " poses are")
+       << " left out, with all that was heard there: up to " << std::lround(stray.farthest_m)
+       << " m away, the robot would have had to jump there and back; the first one at "
+       << std::fixed << std::setprecision(3) << 1e-9 * static_cast<double>(stray.first_stamp_ns)
+       << " s; look at what its localisation did";
+  notes.push_back(text.str());
+}
+
 void addNoteOnSignals(const Snapshot& snapshot, std::vector<std::string>& notes) {
   constexpr std::size_t kFewReadings = 50;
   constexpr double kAlike = 0.5;  // [dB], half a step of most radios
@@ -73,6 +88,7 @@ void addNoteOnSignals(const Snapshot& snapshot, std::vector<std::string>& notes)
 std::vector<std::string> mapNotes(const Snapshot& snapshot) {
   std::vector<std::string> notes;
   addNoteOnPath(snapshot, notes);
+  addNoteOnStrayPoses(snapshot.stray, notes);
   addNoteOnSignals(snapshot, notes);
   if (snapshot.drift && snapshot.drift->suspect) {
     notes.emplace_back(

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "map_limits.h"
 #include "structure_from_wifi/input_error.h"
-#include "text.h"
 
 namespace sfw {
 namespace {
@@ -40,7 +40,7 @@ GridGeometry geometryAround(const Box& extent, const Config::Map& config) {
                                 config.growth_step, config.max_cells);
 }
 
-GridGeometry firstGeometry(const Config& config, const std::vector<AccessPoint>& access_points) {
+Box firstExtent(const Config& config, const std::vector<AccessPoint>& access_points) {
   std::string problems;
   for (const std::string& problem : validate(config)) {
     problems += (problems.empty() ? "" : "\n") + problem;
@@ -57,13 +57,15 @@ GridGeometry firstGeometry(const Config& config, const std::vector<AccessPoint>&
                        " must be finite");
     }
   }
+  const Box extent = extentOf(access_points);
   try {
-    return geometryAround(extentOf(access_points), config.map);
+    geometryAround(extent, config.map);
   } catch (const std::invalid_argument& error) {
     throw InputError("no map can be made around the access points: " + std::string(error.what()) +
                      "; correct their positions, or raise map/max_cells (" +
                      std::to_string(config.map.max_cells) + ") or map/resolution");
   }
+  return extent;
 }
 
 }  // namespace
@@ -92,12 +94,21 @@ Mapper::Mapper(const Config& config, const std::vector<AccessPoint>& access_poin
     : config_(config),
       model_(configuredBeliefModel(config.belief)),
       access_points_(access_points),
-      extent_(extentOf(access_points)),
-      geometry_(firstGeometry(config, access_points)) {
+      least_extent_(firstExtent(config, access_points)),
+      extent_(least_extent_) {
   for (std::size_t i = 0; i < access_points_.size(); ++i) {
     if (!index_of_.emplace(access_points_[i].bssid, i).second) {
       throw InputError("access_points holds " + access_points_[i].bssid.str() + " twice");
     }
+  }
+}
+
+bool Mapper::fits(const Box& extent) const {
+  try {
+    geometryAround(extent, config_.map);
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
   }
 }
 
@@ -108,14 +119,17 @@ Insertion Mapper::makeRoomFor(const Position& point) {
   if (extent_.contains(point)) {
     return Insertion::kAccepted;
   }
-  Box extent = extent_;
-  extent.extend(point);
-  try {
-    geometry_ = geometryAround(extent, config_.map);
-  } catch (const std::invalid_argument&) {
+  const Box box(point);
+  const std::size_t kept = readings_.size() + contacts_.size();
+  if (!fits(extent_.merged(box)) && kept_when_believed_ != kept) {
+    // A stray pose must not take the room of those that are right.
+    extent_ = extent();
+    kept_when_believed_ = kept;
+  }
+  if (!fits(extent_.merged(box))) {
     return Insertion::kPositionTooFar;
   }
-  extent_ = extent;
+  extent_.extend(point);
   return Insertion::kAccepted;
 }
 
@@ -195,12 +209,39 @@ void Mapper::correct(const PathCorrection& correction) {
   moveAll(contacts_, &Contact::point_in_map);
 }
 
-void Mapper::growTo(const Mapper& other) {
-  makeRoomFor(other.extent_.min());
-  makeRoomFor(other.extent_.max());
+Box Mapper::extent() const { return extentOf(believed()); }
+
+Box Mapper::extentOf(const Believed& believed) const {
+  Box extent = least_extent_;
+  for (const PathPose& pose : believed.path) {
+    extent.extend(pose.antenna_in_map);
+  }
+  for (const Contact& contact : believed.contacts) {
+    extent.extend(contact.point_in_map);
+  }
+  return extent;
+}
+
+GridGeometry Mapper::geometry() const { return geometryOf(extent()); }
+
+GridGeometry Mapper::geometryOf(const Box& extent) const {
+  try {
+    return geometryAround(extent, config_.map);
+  } catch (const std::invalid_argument&) {
+    throw InputError(tooLargeText(extent, config_.map));
+  }
+}
+
+void Mapper::growTo(const Box& extent) {
+  if (fits(extent_.merged(extent))) {
+    least_extent_.extend(extent);
+    extent_.extend(extent);
+  }
 }
 
 void Mapper::reset() {
+  least_extent_ = extent();
+  extent_ = least_extent_;
   readings_.clear();
   contacts_.clear();
   rejections_ = {};

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "stray_poses.h"
 #include "structure_from_wifi/inference.h"
 #include "structure_from_wifi/mapper.h"
 #include "structure_from_wifi/tomography.h"
@@ -28,6 +29,40 @@ std::vector<PathPose> pathOf(const std::vector<Reading>& readings) {
                          [](const PathPose& a, const PathPose& b) { return order(a) == order(b); }),
              path.end());
   return path;
+}
+
+/// What is told of the stray ones of a path.
+StrayPoses summaryOf(const std::vector<PathPose>& path, const std::vector<bool>& stray) {
+  StrayPoses summary;
+  const PathPose* believed = nullptr;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (!stray[i]) {
+      believed = &path[i];
+      continue;
+    }
+    if (believed == nullptr) {
+      const auto next = std::find(stray.begin(), stray.end(), false) - stray.begin();
+      believed = &path[static_cast<std::size_t>(next)];
+    }
+    summary.first_stamp_ns = summary.count == 0 ? path[i].stamp_ns : summary.first_stamp_ns;
+    ++summary.count;
+    summary.farthest_m =
+        std::max(summary.farthest_m, (path[i].antenna_in_map - believed->antenna_in_map).norm());
+  }
+  return summary;
+}
+
+/// The pose of a path that is nearest in time.
+std::size_t poseAt(std::int64_t stamp_ns, const std::vector<PathPose>& path) {
+  const auto next = std::lower_bound(
+      path.begin(), path.end(), stamp_ns,
+      [](const PathPose& pose, std::int64_t stamp) { return pose.stamp_ns < stamp; });
+  const auto i = static_cast<std::size_t>(next - path.begin());
+  if (i == 0) {
+    return 0;
+  }
+  return i == path.size() || stamp_ns - path[i - 1].stamp_ns <= path[i].stamp_ns - stamp_ns ? i - 1
+                                                                                            : i;
 }
 
 std::vector<Position> positionsOf(const std::vector<PathPose>& path) {
@@ -60,6 +95,29 @@ int wallsOf(double loss_db) {
 
 }  // namespace
 
+Mapper::Believed Mapper::believed() const {
+  Believed believed{{}, readings(), contacts_, {}};
+  std::vector<PathPose> path = pathOf(believed.readings);
+  const std::vector<bool> stray = strayPoses(path);
+  believed.stray = summaryOf(path, stray);
+  if (believed.stray.count == 0) {
+    believed.path = std::move(path);
+    return believed;
+  }
+  const auto leaveOut = [](auto& all, auto&& is_stray) {
+    all.erase(std::remove_if(all.begin(), all.end(), is_stray), all.end());
+  };
+  leaveOut(believed.readings, [&](const Reading& reading) {
+    const PathPose pose{reading.stamp_ns, reading.antenna_in_map, PathPose::kNothingHeard};
+    return stray[static_cast<std::size_t>(
+        std::lower_bound(path.begin(), path.end(), pose, earlier) - path.begin())];
+  });
+  leaveOut(believed.contacts,
+           [&](const Contact& contact) { return stray[poseAt(contact.stamp_ns, path)]; });
+  believed.path = pathOf(believed.readings);
+  return believed;
+}
+
 std::vector<Mapper::Series> Mapper::seriesOf(const std::vector<Reading>& readings) const {
   std::vector<Series> all(access_points_.size());
   for (const Reading& reading : readings) {
@@ -89,14 +147,16 @@ std::shared_ptr<const Snapshot> Mapper::inferWithoutRadio() const {
 
 std::shared_ptr<const Snapshot> Mapper::infer(Hearing hearing,
                                               const std::atomic<bool>& stop) const {
-  const std::vector<Reading> kept = readings();
-  Snapshot snapshot{BeliefMap(geometry_, config_.belief), pathOf(kept), {}, rejections_, {}};
-  std::vector<Series> heard = seriesOf(kept);
+  const Believed known = believed();
+  Snapshot snapshot{
+      BeliefMap(geometryOf(extentOf(known)), config_.belief), known.path, {}, rejections_};
+  snapshot.stray = known.stray;
+  std::vector<Series> heard = seriesOf(known.readings);
   snapshot.access_points = placed(heard, stop);
   if (config_.method == "tomography") {
-    inferByTomography(heard, hearing, stop, snapshot);
+    inferByTomography(heard, hearing, known.contacts, stop, snapshot);
   } else {
-    inferByCounts(heard, hearing, stop, snapshot);
+    inferByCounts(heard, hearing, known.contacts, stop, snapshot);
   }
   return stop ? nullptr : std::make_shared<const Snapshot>(std::move(snapshot));
 }
@@ -132,14 +192,15 @@ std::vector<AccessPointSummary> Mapper::placed(std::vector<Series>& heard,
 
 std::vector<std::vector<Sample>> Mapper::samples() const {
   std::vector<std::vector<Sample>> samples;
-  for (const Series& series : seriesOf(readings())) {
+  for (const Series& series : seriesOf(believed().readings)) {
     samples.push_back(samplesOf(series));
   }
   return samples;
 }
 
 void Mapper::inferByCounts(std::vector<Series>& heard, Hearing hearing,
-                           const std::atomic<bool>& stop, Snapshot& snapshot) const {
+                           const std::vector<Contact>& contacts, const std::atomic<bool>& stop,
+                           Snapshot& snapshot) const {
   std::vector<CountedPath> counted_paths;
   for (std::size_t i = 0; i < heard.size(); ++i) {
     const Position& access_point = snapshot.access_points[i].access_point.position;
@@ -158,14 +219,16 @@ void Mapper::inferByCounts(std::vector<Series>& heard, Hearing hearing,
   if (hearing == Hearing::kNothing) {
     counted_paths.clear();
   }
-  snapshot.belief = BeliefMap(inferOccupancy(geometry_, counted_paths, positionsOf(snapshot.path),
-                                             contacts_, config_.inference, stop),
-                              config_.belief);
+  snapshot.belief =
+      BeliefMap(inferOccupancy(snapshot.belief.geometry(), counted_paths,
+                               positionsOf(snapshot.path), contacts, config_.inference, stop),
+                config_.belief);
 }
 
 void Mapper::inferByTomography(std::vector<Series>& heard, Hearing hearing,
-                               const std::atomic<bool>& stop, Snapshot& snapshot) const {
-  MappedDrive drive{positionsOf(snapshot.path), {}, contacts_};
+                               const std::vector<Contact>& contacts, const std::atomic<bool>& stop,
+                               Snapshot& snapshot) const {
+  MappedDrive drive{positionsOf(snapshot.path), {}, contacts};
   std::vector<std::size_t> index;  // of each access point that is heard
   for (std::size_t i = 0; i < heard.size(); ++i) {
     if (!heard[i].poses.empty()) {
@@ -174,7 +237,8 @@ void Mapper::inferByTomography(std::vector<Series>& heard, Hearing hearing,
       index.push_back(i);
     }
   }
-  FusedBelief fused = fuse(geometry_, drive, model_, config_, hearing == Hearing::kSignals, stop);
+  FusedBelief fused =
+      fuse(snapshot.belief.geometry(), drive, model_, config_, hearing == Hearing::kSignals, stop);
   for (std::size_t i = 0; i < index.size(); ++i) {
     for (std::size_t j = 0; j < fused.sample_loss[i].size(); ++j) {
       PathPose& pose = heard[index[i]].poses[j];

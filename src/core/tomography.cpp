@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <string>
 
 #include "axis_rasters.h"
+#include "map_limits.h"
 #include "structure_from_wifi/input_error.h"
 #include "structure_from_wifi/morphology.h"
 #include "structure_from_wifi/ray.h"
@@ -51,13 +51,7 @@ GridGeometry buildingGeometry(const std::vector<Position>& driven,
   try {
     return GridGeometry::covering(box, config.resolution, config.resolution, 4 * config.max_cells);
   } catch (const std::invalid_argument&) {
-    const Position size = way.sizes();
-    throw InputError(
-        "the path reaches over " + std::to_string(std::lround(size.x())) + " x " +
-        std::to_string(std::lround(size.y())) +
-        " m, more than map/max_cells allows; leave out poses that have gone astray, or "
-        "raise map/max_cells (" +
-        std::to_string(config.max_cells) + ") or map/resolution");
+    throw InputError(tooLargeText(way, config));
   }
 }
 

@@ -41,8 +41,9 @@ SharedMapper::Copy SharedMapper::corrected(const std::optional<Fix>& latest) {
   const PathCorrection correction = anchor.correction();
   copy.mapper.correct(correction);
   if (!correction.empty()) {
+    const Box extent = copy.mapper.extent();
     lock.lock();
-    mapper_.growTo(copy.mapper);
+    mapper_.growTo(extent);
   }
   return copy;
 }

@@ -241,7 +241,7 @@ TEST(CorrectedMapper, MovesReadingsAndContactsAndKeepsTheGeometry) {
   EXPECT_GT(driven.geometry().size(), before.geometry().size());
 
   Mapper grown = before;
-  grown.growTo(driven);
+  grown.growTo(driven.extent());
   EXPECT_EQ(grown.geometry().size(), driven.geometry().size());
   EXPECT_EQ(grown.geometry().origin(), driven.geometry().origin());
 }
