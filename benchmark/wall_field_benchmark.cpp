@@ -128,7 +128,7 @@ void measureRecording(const std::string& readings, const std::string& access_poi
   for (Position& position : path) {
     position = frame.toBuilding(position);
   }
-  for (const AccessPoint& one : readAccessPoints(access_points)) {
+  for (const AccessPoint& one : readAccessPoints(access_points).access_points) {
     std::vector<Sample> samples;
     for (const Reading& reading : file.readings) {
       if (reading.bssid == one.bssid) {

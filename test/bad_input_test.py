@@ -91,6 +91,18 @@ class BadAccessPoints(CommandLine):
 
 
 class PoseAstray(CommandLine):
+    def test_one_that_jumps_away_and_back_changes_nothing(self):
+        rows = ["%d,%.1f,%.1f,%s,-50" % (i, 0.1 * i, i // 10, NEAR) for i in range(20)]
+        self.good(self.map(readings=self.write("good.csv", "\n".join([HEADER] + rows))))
+        rows.insert(10, "9.5,900,1,%s,-50" % NEAR)
+        run = self.good(self.map(readings=self.write("bad.csv", "\n".join([HEADER] + rows)),
+                                 output=self.folder / "astray"))
+        self.assertIn("bad.csv: 1 pose is left out", run.stderr)
+        self.assertIn("at 9.500 s", run.stderr)
+        for name in ("map.pgm", "map.yaml", "probability.pgm"):
+            self.assertEqual((self.output / name).read_bytes(),
+                             (self.folder / "astray" / name).read_bytes(), name)
+
     def test_a_path_too_long_for_the_map(self):
         path = [HEADER] + ["%d,%.1f,1,%s,-50" % (i, 0.1 * i, NEAR) for i in range(20)]
         table = self.write("table.yaml",

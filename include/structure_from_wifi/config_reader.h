@@ -27,12 +27,18 @@ ConfigReading configFromYaml(const YAML::Node& node);
 /// @throw InputError naming the file, also if it cannot be read or parsed.
 ConfigReading readConfig(const std::string& file);
 
-/// Reads `[{bssid, x, y, z?, name?, tx_dbm?}]`.
+/// Access points and what the author of their table should hear although it can be used.
+struct AccessPointReading {
+  std::vector<AccessPoint> access_points;
+  std::vector<std::string> warnings;  ///< keys that nobody reads
+};
+
+/// Reads `[{bssid, x?, y?, z?, name?, tx_dbm?}]`.
 /// @throw InputError if the table is missing or empty, or naming every unusable or double entry.
-std::vector<AccessPoint> accessPointsFromYaml(const YAML::Node& table);
+AccessPointReading accessPointsFromYaml(const YAML::Node& table);
 
 /// As accessPointsFromYaml, from a file whose key `access_points` holds the table.
 /// @throw InputError naming the file, also if it cannot be read or parsed.
-std::vector<AccessPoint> readAccessPoints(const std::string& file);
+AccessPointReading readAccessPoints(const std::string& file);
 
 }  // namespace sfw

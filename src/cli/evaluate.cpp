@@ -78,7 +78,8 @@ std::optional<ControlFigures> controlsFor(const EvaluateOptions& options,
     throw InputError("--controls needs --access-points: it maps the readings again");
   }
   const Config config = options.config.empty() ? Config() : readConfig(options.config).config;
-  return evaluateControls(input, readings, readAccessPoints(options.access_points), config);
+  return evaluateControls(input, readings, readAccessPoints(options.access_points).access_points,
+                          config);
 }
 
 nlohmann::ordered_json toJson(const PredictionFigures& figures) {
@@ -99,8 +100,8 @@ std::optional<PredictionFigures> predictionFor(const EvaluateOptions& options,
     throw InputError("--prediction needs --access-points: signals are predicted from them");
   }
   const std::atomic<bool> stop{false};
-  const auto figures =
-      predictHiddenStretches(readings, readAccessPoints(options.access_points), {}, stop);
+  const auto figures = predictHiddenStretches(
+      readings, readAccessPoints(options.access_points).access_points, {}, stop);
   if (!figures) {
     throw InputError(options.readings + ": too short a drive for --prediction, or too far");
   }
@@ -115,7 +116,7 @@ std::vector<Position> heardAccessPoints(const EvaluateOptions& options,
     heard.insert(reading.bssid);
   }
   std::vector<Position> positions;
-  for (const AccessPoint& access_point : readAccessPoints(options.access_points)) {
+  for (const AccessPoint& access_point : readAccessPoints(options.access_points).access_points) {
     if (heard.count(access_point.bssid) != 0 && access_point.position_known) {
       positions.push_back(access_point.position);
     }

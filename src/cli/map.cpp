@@ -46,10 +46,13 @@ Config loadConfig(const MapOptions& options) {
 }
 
 Mapper mapperFor(const std::string& access_points, const Config& config) {
-  const std::vector<AccessPoint> table = readAccessPoints(access_points);
+  const AccessPointReading table = readAccessPoints(access_points);
+  for (const std::string& warning : table.warnings) {
+    warn(access_points + ": " + warning);
+  }
   configuredBeliefModel(config.belief);  // a complaint is about its file, not about the table
   try {
-    return Mapper(config, table);
+    return Mapper(config, table.access_points);
   } catch (const InputError& error) {
     throw InputError(access_points + ": " + error.what());
   }

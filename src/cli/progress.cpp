@@ -10,6 +10,8 @@
 namespace sfw {
 namespace {
 
+constexpr std::size_t kTenths = 10;
+
 /// "1:02:03" or "2:03"
 std::string clockText(double seconds) {
   const auto whole = static_cast<long long>(std::ceil(seconds));
@@ -33,6 +35,9 @@ void Progress::add(bool at_once) {
   at_once_ += at_once ? 1 : 0;
   if (shown_) {
     show();
+  } else if (kTenths * done_ / all_ > kTenths * (done_ - 1) / all_) {
+    std::cerr << "sfw: " + std::to_string(done_) + " of " + std::to_string(all_) + " done\n"
+              << std::flush;
   }
 }
 

@@ -5,7 +5,8 @@
 
 namespace sfw {
 
-/// A progress bar with the time that is left, on standard error if that is a terminal.
+/// On standard error, a bar with the time that is left if that is a terminal, else a line for each
+/// tenth.
 class Progress {
  public:
   explicit Progress(std::size_t all);

@@ -139,19 +139,33 @@ std::optional<double> readNumber(const YAML::Node& entry, const char* key, bool 
   }
   double value = 0.0;
   if (!readScalar(node, value) || !std::isfinite(value) || std::abs(value) > 1e6) {
-    problems.push_back(where + ": '" + key + "' must be a finite number");
+    problems.push_back(where + ": '" + key + "' must be a number from -1e6 to 1e6");
     return std::nullopt;
   }
   return value;
 }
 
+void warnOfUnknownKeys(const YAML::Node& entry, const std::string& where,
+                       std::vector<std::string>& warnings) {
+  static const std::set<std::string> kKnown{"bssid", "x", "y", "z", "name", "tx_dbm"};
+  for (const auto& field : entry) {
+    if (!field.first.IsScalar() || kKnown.count(field.first.Scalar()) == 0) {
+      const std::string key = field.first.IsScalar() ? field.first.Scalar() : "a list or map";
+      warnings.push_back(where + ": '" + key +
+                         "' is not read; an access point has bssid, x, y, z, name and tx_dbm");
+    }
+  }
+}
+
 AccessPoint readAccessPoint(const YAML::Node& entry, const std::string& where,
-                            std::vector<std::string>& problems) {
+                            std::vector<std::string>& problems,
+                            std::vector<std::string>& warnings) {
   AccessPoint access_point;
   if (!entry.IsMap()) {
     problems.push_back(where + ": must be a map with bssid and, if they are known, x and y");
     return access_point;
   }
+  warnOfUnknownKeys(entry, where, warnings);
   std::string text;
   const bool has_bssid = entry["bssid"] && readScalar(entry["bssid"], text);
   const std::optional<Bssid> bssid = Bssid::parse(text);
@@ -209,27 +223,27 @@ ConfigReading configFromYaml(const YAML::Node& node) {
 
 ConfigReading readConfig(const std::string& file) { return named(file, configFromYaml); }
 
-std::vector<AccessPoint> accessPointsFromYaml(const YAML::Node& table) {
+AccessPointReading accessPointsFromYaml(const YAML::Node& table) {
   if (!table || !table.IsSequence() || table.size() == 0) {
     throw InputError("access_points must be a list with at least one {bssid, x, y}");
   }
   std::vector<std::string> problems;
-  std::vector<AccessPoint> access_points;
+  AccessPointReading reading;
   std::set<Bssid> seen;
   for (std::size_t i = 0; i < table.size(); ++i) {
     const std::string where = "access_points[" + std::to_string(i) + "]";
     const std::size_t before = problems.size();
-    const AccessPoint access_point = readAccessPoint(table[i], where, problems);
+    const AccessPoint access_point = readAccessPoint(table[i], where, problems, reading.warnings);
     if (problems.size() == before && !seen.insert(access_point.bssid).second) {
       problems.push_back(where + ": " + access_point.bssid.str() + " stands in the list twice");
     }
-    access_points.push_back(access_point);
+    reading.access_points.push_back(access_point);
   }
   throwIfAny(problems);
-  return access_points;
+  return reading;
 }
 
-std::vector<AccessPoint> readAccessPoints(const std::string& file) {
+AccessPointReading readAccessPoints(const std::string& file) {
   return named(file, [](const YAML::Node& node) {
     return accessPointsFromYaml(node.IsMap() ? node[kAccessPointsKey] : YAML::Node());
   });

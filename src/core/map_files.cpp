@@ -157,6 +157,16 @@ std::string placeCsv(std::int64_t stamp_ns, const Position& position) {
                    position.y());
 }
 
+/// The number with as few digits as read back the same.
+std::string exactText(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*g", std::numeric_limits<double>::digits10, value);
+  if (parseNumber(text) != value) {
+    std::snprintf(text, sizeof text, "%.*g", std::numeric_limits<double>::max_digits10, value);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string trinaryPgm(const BeliefMap& belief) {
@@ -209,21 +219,20 @@ std::string contactsCsv(const std::vector<Contact>& contacts) {
 
 std::string accessPointsYaml(const std::vector<AccessPoint>& access_points) {
   YAML::Emitter yaml;
-  yaml.SetDoublePrecision(std::numeric_limits<double>::max_digits10);
   yaml << YAML::BeginMap << YAML::Key << "access_points" << YAML::Value << YAML::BeginSeq;
   for (const AccessPoint& access_point : access_points) {
     yaml << YAML::Flow << YAML::BeginMap;
     yaml << YAML::Key << "bssid" << YAML::Value << YAML::DoubleQuoted << access_point.bssid.str();
     yaml << YAML::Key << "name" << YAML::Value << YAML::DoubleQuoted << access_point.name;
     if (access_point.position_known) {
-      yaml << YAML::Key << "x" << YAML::Value << access_point.position.x();
-      yaml << YAML::Key << "y" << YAML::Value << access_point.position.y();
+      yaml << YAML::Key << "x" << YAML::Value << exactText(access_point.position.x());
+      yaml << YAML::Key << "y" << YAML::Value << exactText(access_point.position.y());
     }
     if (access_point.height_m) {
-      yaml << YAML::Key << "z" << YAML::Value << *access_point.height_m;
+      yaml << YAML::Key << "z" << YAML::Value << exactText(*access_point.height_m);
     }
     if (access_point.tx_dbm) {
-      yaml << YAML::Key << "tx_dbm" << YAML::Value << *access_point.tx_dbm;
+      yaml << YAML::Key << "tx_dbm" << YAML::Value << exactText(*access_point.tx_dbm);
     }
     yaml << YAML::EndMap;
   }

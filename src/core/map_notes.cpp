@@ -83,6 +83,24 @@ void addNoteOnSignals(const Snapshot& snapshot, std::vector<std::string>& notes)
   }
 }
 
+/// Of several that are heard, one may just be far away; a name says which to look for.
+void addNoteOnSilence(const Snapshot& snapshot, std::vector<std::string>& notes) {
+  constexpr std::size_t kMostNamed = 5;
+  std::string names;
+  std::size_t silent = 0;
+  for (const AccessPointSummary& summary : snapshot.access_points) {
+    if (summary.readings == 0 && ++silent <= kMostNamed) {
+      names += (silent > 1 ? ", " : "") + summary.access_point.bssid.str();
+    }
+  }
+  if (silent > 0 && silent < snapshot.access_points.size()) {
+    notes.push_back(std::to_string(silent) + " of " +
+                    std::to_string(snapshot.access_points.size()) +
+                    " access points of the table were never heard: " + names +
+                    (silent > kMostNamed ? ", ..." : ""));
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> mapNotes(const Snapshot& snapshot) {
@@ -90,6 +108,7 @@ std::vector<std::string> mapNotes(const Snapshot& snapshot) {
   addNoteOnPath(snapshot, notes);
   addNoteOnStrayPoses(snapshot.stray, notes);
   addNoteOnSignals(snapshot, notes);
+  addNoteOnSilence(snapshot, notes);
   if (snapshot.drift && snapshot.drift->suspect) {
     notes.emplace_back(
         "the path looks as if it drifted: where it comes back to a place, signals differ as they "

@@ -19,8 +19,14 @@ class Table {
     if (trimmed(rest_).empty()) {
       throw InputError(file_ + ": the file is empty");
     }
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // spreadsheets write it
+    rest_.remove_prefix(rest_.rfind(kByteOrderMark, 0) == 0 ? kByteOrderMark.size() : 0);
     const std::string_view header = nextLine();
     const std::vector<std::string_view> names = split(header, ',');
+    if (names.size() == 1 && header.find(columns.front()) != std::string_view::npos &&
+        header.find_first_of(";\t") != std::string_view::npos) {
+      throw InputError(file_ + ": line 1: columns must be separated by commas");
+    }
     for (const std::string& column : columns) {
       const auto found = std::find_if(names.begin(), names.end(), [&](std::string_view name) {
         return trimmed(name) == column;

@@ -48,8 +48,12 @@ void MappingNodelet::loadParameters() {
     NODELET_WARN_STREAM(node.getNamespace() << "/" << warning);
   }
   config_ = reading.config;
-  access_points_ =
+  const AccessPointReading table =
       accessPointsFromYaml(settings.IsMap() ? settings["access_points"] : YAML::Node());
+  for (const std::string& warning : table.warnings) {
+    NODELET_WARN_STREAM(node.getNamespace() << "/" << warning);
+  }
+  access_points_ = table.access_points;
   mapper_.emplace(config_, access_points_);
   queue_.emplace(config_.ros);
   transforms_.emplace(ros::Duration(config_.ros.tf_cache));

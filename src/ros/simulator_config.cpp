@@ -169,7 +169,7 @@ SimulatorConfig simulatorConfigFromYaml(const YAML::Node& tree) {
   readSettings(tree, config, problems);
   if (const YAML::Node table = find(tree, kAccessPointsKey)) {
     try {
-      config.access_points = accessPointsFromYaml(table);
+      config.access_points = accessPointsFromYaml(table).access_points;
       for (const AccessPoint& access_point : config.access_points) {
         if (!access_point.position_known) {
           throw InputError("access_points: " + access_point.bssid.str() +

@@ -8,7 +8,7 @@ namespace sfw {
 namespace {
 
 std::vector<AccessPoint> fromText(const std::string& table) {
-  return accessPointsFromYaml(YAML::Load(table));
+  return accessPointsFromYaml(YAML::Load(table)).access_points;
 }
 
 /// What is complained of, one problem a line.
@@ -75,7 +75,7 @@ TEST(AccessPointTable, TakesAnAccessPointWithoutPositionToEstimateIt) {
 TEST(AccessPointTable, AsksForFiniteNumbers) {
   for (const std::string bad :
        {".nan", ".inf", "nan", "inf", "-inf", "far", "[1]", "{}", "", "2000000", "1.0 m"}) {
-    const std::string expected = "must be a finite number";
+    const std::string expected = "must be a number from -1e6 to 1e6";
     for (const std::string key : {"x", "z", "tx_dbm"}) {
       const std::string position = key == "x" ? "y: 1" : "x: 1, y: 1";
       const std::string complaint =
@@ -83,6 +83,20 @@ TEST(AccessPointTable, AsksForFiniteNumbers) {
       EXPECT_EQ(complaint, "access_points[0]: '" + key + "' " + expected) << bad;
     }
   }
+}
+
+TEST(AccessPointTable, WarnsOfKeysThatNobodyReads) {
+  const auto warnings = [](const std::string& table) {
+    return accessPointsFromYaml(YAML::Load(table)).warnings;
+  };
+  EXPECT_TRUE(warnings("[" + kGood +
+                       ", {bssid: '02:00:00:00:00:02', x: 0, y: 0, z: 2, "
+                       "name: attic, tx_dbm: 20}]")
+                  .empty());
+  EXPECT_EQ(warnings("[" + kGood + ", {bssid: '02:00:00:00:00:02', x: 0, y: 0, hieght: 2}]"),
+            std::vector<std::string>{"access_points[1]: 'hieght' is not read; an access point has "
+                                     "bssid, x, y, z, name and tx_dbm"});
+  EXPECT_EQ(warnings("[{bssid: '02:00:00:00:00:02', [1, 2]: 3}]").size(), 1U);
 }
 
 TEST(AccessPointTable, RefusesARadioThatStandsInItTwice) {
@@ -97,7 +111,7 @@ TEST(AccessPointTable, NamesAllFaultsAtOnce) {
             "access_points[0]: 'bssid' must look like '02:00:00:00:00:01'; it is 'a'\n"
             "access_points[0]: 'y' is missing\n"
             "access_points[1]: 'bssid' must look like '02:00:00:00:00:01'; it is 'b'\n"
-            "access_points[1]: 'y' must be a finite number");
+            "access_points[1]: 'y' must be a number from -1e6 to 1e6");
 }
 
 TEST(AccessPointTable, NamesItsFile) {

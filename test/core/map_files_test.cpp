@@ -140,7 +140,8 @@ TEST_F(MapFiles, AccessPointsAreReadBack) {
       summaryOf("02:00:00:00:00:02", "", 1e5, 2.0).access_point};
   table[0].height_m = 2.2;
   table[0].tx_dbm = -3.5;
-  const auto read_back = readAccessPoints(write("table.yaml", accessPointsYaml(table)));
+  const auto read_back =
+      readAccessPoints(write("table.yaml", accessPointsYaml(table))).access_points;
   ASSERT_EQ(read_back.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_EQ(read_back[i].bssid, table[i].bssid);
@@ -149,6 +150,12 @@ TEST_F(MapFiles, AccessPointsAreReadBack) {
     EXPECT_EQ(read_back[i].height_m, table[i].height_m);
     EXPECT_EQ(read_back[i].tx_dbm, table[i].tx_dbm);
   }
+}
+
+TEST_F(MapFiles, AccessPointsAreWrittenForPeopleToo) {
+  const std::string text =
+      accessPointsYaml({summaryOf("02:00:00:00:00:01", "router", 9.775, -0.1).access_point});
+  EXPECT_NE(text.find("x: 9.775, y: -0.1}"), std::string::npos) << text;
 }
 
 TEST_F(MapFiles, ARecordingIsReadBack) {
@@ -160,7 +167,7 @@ TEST_F(MapFiles, ARecordingIsReadBack) {
   ASSERT_EQ(contacts.size(), 1U);
   EXPECT_EQ(contacts[0].stamp_ns, contact.stamp_ns);
   EXPECT_EQ(contacts[0].point_in_map, contact.point_in_map);
-  EXPECT_EQ(readAccessPoints(path("a/b/access_points.yaml")).front().name, "router");
+  EXPECT_EQ(readAccessPoints(path("a/b/access_points.yaml")).access_points.front().name, "router");
 }
 
 // ---- Report ----

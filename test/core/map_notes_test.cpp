@@ -85,5 +85,17 @@ TEST(MapNotes, TellThatNothingHeardHasAPlace) {
   EXPECT_TRUE(tells(notes, "no access point that was heard has a place")) << notes;
 }
 
+TEST(MapNotes, NameAccessPointsThatWereNeverHeard) {
+  const Config config = test::rawConfig();
+  Mapper mapper(config, {test::accessPoint(1, 2.0, 1.5), test::accessPoint(2, 3.0, 3.0),
+                         test::accessPoint(3, 0.0, 0.0)});
+  for (int i = 0; i < 400; ++i) {
+    mapper.insert(test::reading(i, lanes(i).x(), lanes(i).y(), fading(lanes(i))));
+  }
+  EXPECT_EQ(mapNotes(*mapper.infer()),
+            std::vector<std::string>{"2 of 3 access points of the table were never heard: "
+                                     "02:00:00:00:00:02, 02:00:00:00:00:03"});
+}
+
 }  // namespace
 }  // namespace sfw

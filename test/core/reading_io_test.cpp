@@ -63,6 +63,13 @@ TEST_F(ReadingIo, TakesCarriageReturnsBlanksBlankLinesAndAMissingLastNewline) {
   expectTheRow(readText(kHeader + "12.5,1.25,-2.5,02:00:00:00:00:01,-47.5,and,more,fields\n"));
 }
 
+TEST_F(ReadingIo, TakesWhatSpreadsheetsWrite) {
+  expectTheRow(readText("\xEF\xBB\xBF" + kHeader + kRow));
+  const std::string commas = path("readings.csv") + ": line 1: columns must be separated by commas";
+  EXPECT_EQ(complaintOf("stamp;x;y;bssid;rssi_dbm\n1;2;3;02:00:00:00:00:01;-40\n"), commas);
+  EXPECT_EQ(complaintOf("stamp\tx\ty\tbssid\trssi_dbm\n"), commas);
+}
+
 TEST_F(ReadingIo, NamesAMissingColumn) {
   for (const std::string column : {"stamp", "x", "y", "bssid", "rssi_dbm"}) {
     std::string header = kHeader;

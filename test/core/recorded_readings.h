@@ -37,7 +37,7 @@ inline std::vector<RealRecording> realRecordings() {
     if (std::filesystem::exists(file)) {
       recordings.push_back(
           {name, readReadings(file.string()).readings,
-           readAccessPoints((file.parent_path() / "access_points.yaml").string())});
+           readAccessPoints((file.parent_path() / "access_points.yaml").string()).access_points});
     }
   }
   return recordings;

@@ -130,7 +130,8 @@ TEST(Demo, ItsAccessPointsHearZeroToSeveralWalls) {
   const std::string folder = SFW_SOURCE_DIR "/config/demo/";
   const Grid<CellState> plan = readMap(folder + "flat.yaml");
   const Route route(readWayPoints(folder + "route.csv"), 0.5, 2.0);
-  for (const AccessPoint& access_point : readAccessPoints(folder + "access_points.yaml")) {
+  for (const AccessPoint& access_point :
+       readAccessPoints(folder + "access_points.yaml").access_points) {
     EXPECT_EQ(plan[plan.geometry.cellAt(access_point.position)], CellState::kFree);
     int most = 0, fewest = 99;
     for (double t = 0.0; t < route.duration(); t += 0.2) {

@@ -43,7 +43,8 @@ TEST(ToYaml, ConvertsATreeThatTheAccessPointReaderTakes) {
   tree["access_points"][1] = accessPoint("02:00:00:00:00:02", -0.1, 3);
   tree["access_points"][1]["name"] = "study";
 
-  const std::vector<AccessPoint> table = accessPointsFromYaml(toYaml(tree)["access_points"]);
+  const std::vector<AccessPoint> table =
+      accessPointsFromYaml(toYaml(tree)["access_points"]).access_points;
 
   ASSERT_EQ(table.size(), 2U);
   EXPECT_EQ(table[0].position, Position(1.0, 2.5));

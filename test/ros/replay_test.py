@@ -28,7 +28,7 @@ COMPARED = ("map.pgm", "probability.pgm", "map.bt")
 
 class Replay(unittest.TestCase):
     def setUp(self):
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="sfw_replay_"))
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="sfw replay "))
         self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
 
     def write(self, stops, messages):
@@ -44,9 +44,11 @@ class Replay(unittest.TestCase):
         return self.folder / name
 
     def launch(self, rate, delay, table=TABLE):
+        self.session.environment["PWD"] = str(self.folder)  # as if called in there
+        self.session.set_parameter("/mapping/method", "of an earlier launch")
         return self.session.start(
-            "replay", "roslaunch", ROOT / "launch" / "replay.launch",
-            "bag:=%s" % (self.folder / "drive.bag"), "access_points:=%s" % table, "rviz:=false",
+            "replay", "roslaunch", ROOT / "launch" / "replay.launch", "bag:=drive.bag",
+            "access_points:=%s" % table, "rviz:=false",
             "rate:=%g" % rate, "delay:=%g" % delay,
             "save_directory:=%s" % (self.folder / "saved"))
 
