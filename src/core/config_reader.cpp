@@ -108,6 +108,16 @@ std::string nearestSetting(const std::string& name) {
   return nearest;
 }
 
+/// Whether settings stand below a name.
+bool isGroup(const std::string& name) {
+  bool group = false;
+  const Config defaults;
+  forEachSetting(defaults, [&](const std::string& known, const auto&) {
+    group = group || known.rfind(name + "/", 0) == 0;
+  });
+  return group;
+}
+
 YAML::Node loadYaml(const std::string& file) {
   try {
     return YAML::Load(readFile(file));
@@ -212,8 +222,10 @@ ConfigReading configFromYaml(const YAML::Node& node) {
     leaves.erase(leaf);
   });
   for (const auto& leaf : leaves) {
-    reading.warnings.push_back(leaf.first + " is not a setting; did you mean " +
-                               nearestSetting(leaf.first) + "?");
+    reading.warnings.push_back(isGroup(leaf.first)
+                                   ? leaf.first + " is a group of settings and has no value"
+                                   : leaf.first + " is not a setting; did you mean " +
+                                         nearestSetting(leaf.first) + "?");
   }
   const std::vector<std::string> broken_rules = validate(reading.config);
   problems.insert(problems.end(), broken_rules.begin(), broken_rules.end());

@@ -63,7 +63,8 @@ Box firstExtent(const Config& config, const std::vector<AccessPoint>& access_poi
   } catch (const std::invalid_argument& error) {
     throw InputError("no map can be made around the access points: " + std::string(error.what()) +
                      "; correct their positions, or raise map/max_cells (" +
-                     std::to_string(config.map.max_cells) + ") or map/resolution");
+                     std::to_string(config.map.max_cells) +
+                     "), raise map/resolution, or lower map/growth_step");
   }
   return extent;
 }

@@ -48,9 +48,13 @@ std::unique_ptr<octomap::OcTree> toOctomap(const BeliefMap& belief, const Config
   const std::int32_t wall_layers = layers(config.wall_height, resolution);
   const std::int32_t robot_layers = layers(config.robot_height, resolution);
   if (std::min(first.x, first.y) < -kOctomapReach ||
-      std::max(first.x + geometry.width(), first.y + geometry.height()) > kOctomapReach ||
-      std::max(wall_layers, robot_layers) > kOctomapReach) {
-    throw std::invalid_argument("the map reaches beyond OctoMap's 32768 voxels from its origin");
+      std::max(first.x + geometry.width(), first.y + geometry.height()) > kOctomapReach) {
+    throw std::invalid_argument(
+        "the map reaches beyond OctoMap's 32768 voxels from its origin; raise map/resolution");
+  }
+  if (std::max(wall_layers, robot_layers) > kOctomapReach) {
+    throw std::invalid_argument(
+        "octomap/wall_height and octomap/robot_height must be at most 32768 cells");
   }
   Grid<Column> columns(geometry);
   Cell c;
