@@ -95,7 +95,7 @@ struct Snapshot {
   Rejections rejections;
   std::optional<TomographySummary> tomography = {};  ///< of method tomography
   std::optional<DriftCheck> drift = {};              ///< once a Judge looked for it
-  StrayPoses stray = {};
+  StrayPoses stray = {};                             ///< left out of all of this
 };
 
 /// From readings to the map: collects, then infers everything at once.
@@ -110,7 +110,9 @@ class Mapper {
   /// @throw InputError if the configuration or the table of access points cannot be used.
   Mapper(const Config& config, const std::vector<AccessPoint>& access_points);
 
-  /// O(log access points). Anything but kAccepted and kUnknownAccessPoint leaves the map as it was.
+  /// O(log access points), but for the first one that seems to be too far after some that were not:
+  /// O(readings log readings). Anything but kAccepted and kUnknownAccessPoint leaves the map as it
+  /// was.
   Insertion insert(const Reading& reading);
   Insertion insert(const Contact& contact);
 
@@ -175,7 +177,7 @@ class Mapper {
   Insertion examined(const Reading& reading) const;
   Insertion accept(const Reading& reading);
 
-  /// Whether the map can hold a point with its margin.
+  /// Lets the map reach over a point, unless it would be too large.
   Insertion makeRoomFor(const Position& point);
   bool fits(const Box& extent) const;
 
