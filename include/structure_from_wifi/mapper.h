@@ -96,6 +96,10 @@ struct Snapshot {
   std::optional<TomographySummary> tomography = {};  ///< of method tomography
   std::optional<DriftCheck> drift = {};              ///< once a Judge looked for it
   StrayPoses stray = {};                             ///< left out of all of this
+
+  /// Readings that count for nothing since the same radio was heard stronger at the same stamp, but
+  /// at another place: stamps were cut.
+  std::size_t stamped_alike = 0;
 };
 
 /// From readings to the map: collects, then infers everything at once.
@@ -171,6 +175,10 @@ class Mapper {
     StrayPoses stray;
   };
   Believed believed() const;
+
+  /// Everything kept, by stamp and bssid, of one stamp the strongest first.
+  std::vector<Reading> sorted() const;
+  std::size_t stampedAlike() const;
   Box extentOf(const Believed& believed) const;
   GridGeometry geometryOf(const Box& extent) const;
 

@@ -57,6 +57,15 @@ void addNoteOnStrayPoses(const StrayPoses& stray, std::vector<std::string>& note
   notes.push_back(text.str());
 }
 
+void addNoteOnStamps(std::size_t stamped_alike, std::vector<std::string>& notes) {
+  if (stamped_alike > 0) {
+    notes.push_back(std::to_string(stamped_alike) +
+                    (stamped_alike == 1 ? " reading counts" : " readings count") +
+                    " for nothing: the same radio was heard stronger at the same stamp, but at "
+                    "another place; look whether stamps are cut, as to whole seconds");
+  }
+}
+
 void addNoteOnSignals(const Snapshot& snapshot, std::vector<std::string>& notes) {
   constexpr std::size_t kFewReadings = 50;
   constexpr double kAlike = 0.5;  // [dB], half a step of most radios
@@ -107,6 +116,7 @@ std::vector<std::string> mapNotes(const Snapshot& snapshot) {
   std::vector<std::string> notes;
   addNoteOnPath(snapshot, notes);
   addNoteOnStrayPoses(snapshot.stray, notes);
+  addNoteOnStamps(snapshot.stamped_alike, notes);
   addNoteOnSignals(snapshot, notes);
   addNoteOnSilence(snapshot, notes);
   if (snapshot.drift && snapshot.drift->suspect) {

@@ -21,6 +21,11 @@ Position rounded(const Position& point) {
   return {rounded(point.x(), kPositionSteps), rounded(point.y(), kPositionSteps)};
 }
 
+/// Whether two readings of one radio have one stamp.
+bool isStampedAlike(const Reading& a, const Reading& b) {
+  return a.stamp_ns == b.stamp_ns && a.bssid == b.bssid;
+}
+
 Box extentOf(const std::vector<AccessPoint>& access_points) {
   Box box;
   for (const AccessPoint& access_point : access_points) {
@@ -248,7 +253,7 @@ void Mapper::reset() {
   rejections_ = {};
 }
 
-std::vector<Reading> Mapper::readings() const {
+std::vector<Reading> Mapper::sorted() const {
   std::vector<Reading> readings = readings_;
   const auto full_order = [](const Reading& r) {
     return std::make_tuple(r.stamp_ns, r.bssid, -r.rssi_dbm, r.antenna_in_map.x(),
@@ -256,12 +261,27 @@ std::vector<Reading> Mapper::readings() const {
   };
   std::sort(readings.begin(), readings.end(),
             [&](const Reading& a, const Reading& b) { return full_order(a) < full_order(b); });
-  readings.erase(std::unique(readings.begin(), readings.end(),
-                             [](const Reading& a, const Reading& b) {
-                               return a.stamp_ns == b.stamp_ns && a.bssid == b.bssid;
-                             }),
-                 readings.end());
   return readings;
+}
+
+std::vector<Reading> Mapper::readings() const {
+  std::vector<Reading> readings = sorted();
+  readings.erase(std::unique(readings.begin(), readings.end(), isStampedAlike), readings.end());
+  return readings;
+}
+
+std::size_t Mapper::stampedAlike() const {
+  const std::vector<Reading> readings = sorted();
+  std::size_t count = 0;
+  const Reading* strongest = nullptr;
+  for (const Reading& reading : readings) {
+    if (strongest == nullptr || !isStampedAlike(*strongest, reading)) {
+      strongest = &reading;
+    } else if (strongest->antenna_in_map != reading.antenna_in_map) {
+      ++count;
+    }
+  }
+  return count;
 }
 
 }  // namespace sfw

@@ -151,6 +151,7 @@ std::shared_ptr<const Snapshot> Mapper::infer(Hearing hearing,
   Snapshot snapshot{
       BeliefMap(geometryOf(extentOf(known)), config_.belief), known.path, {}, rejections_};
   snapshot.stray = known.stray;
+  snapshot.stamped_alike = stampedAlike();
   std::vector<Series> heard = seriesOf(known.readings);
   snapshot.access_points = placed(heard, stop);
   if (config_.method == "tomography") {

@@ -85,6 +85,24 @@ TEST(MapNotes, TellThatNothingHeardHasAPlace) {
   EXPECT_TRUE(tells(notes, "no access point that was heard has a place")) << notes;
 }
 
+TEST(MapNotes, TellOfStampsThatAreCut) {
+  Mapper mapper(test::rawConfig(), {test::accessPoint(1, 2.0, 1.5)});
+  for (int i = 0; i < 400; ++i) {
+    const Position at = lanes(i);
+    mapper.insert(test::reading(i, at.x(), at.y(), fading(at)));
+    mapper.insert(test::reading(i, at.x(), at.y(), fading(at) - 1.0));  // the same scan again
+  }
+  EXPECT_EQ(mapNotes(*mapper.infer()), std::vector<std::string>());
+  for (int i = 0; i < 3; ++i) {
+    mapper.insert(test::reading(i, 0.1 * i + 0.05, 0.0, -90.0));
+  }
+  EXPECT_EQ(
+      mapNotes(*mapper.infer()),
+      std::vector<std::string>{
+          "3 readings count for nothing: the same radio was heard stronger at the same stamp, "
+          "but at another place; look whether stamps are cut, as to whole seconds"});
+}
+
 TEST(MapNotes, NameAccessPointsThatWereNeverHeard) {
   const Config config = test::rawConfig();
   Mapper mapper(config, {test::accessPoint(1, 2.0, 1.5), test::accessPoint(2, 3.0, 3.0),
