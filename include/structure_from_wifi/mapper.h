@@ -173,12 +173,12 @@ class Mapper {
     std::vector<Reading> readings;
     std::vector<Contact> contacts;
     StrayPoses stray;
+    std::size_t stamped_alike = 0;
   };
   Believed believed() const;
 
   /// Everything kept, by stamp and bssid, of one stamp the strongest first.
   std::vector<Reading> sorted() const;
-  std::size_t stampedAlike() const;
   Box extentOf(const Believed& believed) const;
   GridGeometry geometryOf(const Box& extent) const;
 

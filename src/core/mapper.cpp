@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "map_limits.h"
+#include "reading_order.h"
 #include "structure_from_wifi/input_error.h"
 
 namespace sfw {
@@ -19,11 +20,6 @@ double rounded(double value, double steps) { return std::round(value * steps) / 
 
 Position rounded(const Position& point) {
   return {rounded(point.x(), kPositionSteps), rounded(point.y(), kPositionSteps)};
-}
-
-/// Whether two readings of one radio have one stamp.
-bool isStampedAlike(const Reading& a, const Reading& b) {
-  return a.stamp_ns == b.stamp_ns && a.bssid == b.bssid;
 }
 
 Box extentOf(const std::vector<AccessPoint>& access_points) {
@@ -264,24 +260,6 @@ std::vector<Reading> Mapper::sorted() const {
   return readings;
 }
 
-std::vector<Reading> Mapper::readings() const {
-  std::vector<Reading> readings = sorted();
-  readings.erase(std::unique(readings.begin(), readings.end(), isStampedAlike), readings.end());
-  return readings;
-}
-
-std::size_t Mapper::stampedAlike() const {
-  const std::vector<Reading> readings = sorted();
-  std::size_t count = 0;
-  const Reading* strongest = nullptr;
-  for (const Reading& reading : readings) {
-    if (strongest == nullptr || !isStampedAlike(*strongest, reading)) {
-      strongest = &reading;
-    } else if (strongest->antenna_in_map != reading.antenna_in_map) {
-      ++count;
-    }
-  }
-  return count;
-}
+std::vector<Reading> Mapper::readings() const { return strongestOfEachStamp(sorted()); }
 
 }  // namespace sfw

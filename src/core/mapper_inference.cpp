@@ -3,6 +3,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "reading_order.h"
 #include "stray_poses.h"
 #include "structure_from_wifi/inference.h"
 #include "structure_from_wifi/mapper.h"
@@ -96,7 +97,9 @@ int wallsOf(double loss_db) {
 }  // namespace
 
 Mapper::Believed Mapper::believed() const {
-  Believed believed{{}, readings(), contacts_, {}};
+  std::vector<Reading> every = sorted();
+  const std::size_t stamped_alike = countStampedAlike(every);
+  Believed believed{{}, strongestOfEachStamp(std::move(every)), contacts_, {}, stamped_alike};
   std::vector<PathPose> path = pathOf(believed.readings);
   const std::vector<bool> stray = strayPoses(path);
   believed.stray = summaryOf(path, stray);
@@ -151,7 +154,7 @@ std::shared_ptr<const Snapshot> Mapper::infer(Hearing hearing,
   Snapshot snapshot{
       BeliefMap(geometryOf(extentOf(known)), config_.belief), known.path, {}, rejections_};
   snapshot.stray = known.stray;
-  snapshot.stamped_alike = stampedAlike();
+  snapshot.stamped_alike = known.stamped_alike;
   std::vector<Series> heard = seriesOf(known.readings);
   snapshot.access_points = placed(heard, stop);
   if (config_.method == "tomography") {
