@@ -52,7 +52,7 @@ struct Config {
 
   /// From probability to free, occupied and unknown.
   struct Belief {
-    double free_threshold = 0.19;      ///< free below this probability of being occupied
+    double free_threshold = 0.2;       ///< free below this probability of being occupied
     double occupied_threshold = 0.65;  ///< occupied above it
     std::string model;                 ///< file of `sfw fit` for tomography; empty: as shipped
   } belief;

@@ -6,32 +6,45 @@
 
 namespace sfw {
 
-Grid<float> boxMean(const Grid<float>& values, std::int64_t reach) {
-  const GridGeometry& geometry = values.geometry;
-  Grid<float> rows(geometry);
-  Grid<float> mean(geometry);
-  const auto window = static_cast<float>(2 * reach + 1);
-  for (std::int64_t y = 0; y < geometry.height(); ++y) {
-    float sum = 0.0F;
-    for (std::int64_t x = -reach; x < geometry.width(); ++x) {
-      sum += x + reach < geometry.width() ? values[{x + reach, y}] : 0.0F;
-      sum -= x - reach - 1 >= 0 ? values[{x - reach - 1, y}] : 0.0F;
-      if (x >= 0) {
-        rows[{x, y}] = sum / window;
-      }
-    }
-  }
-  for (std::int64_t x = 0; x < geometry.width(); ++x) {
-    float sum = 0.0F;
-    for (std::int64_t y = -reach; y < geometry.height(); ++y) {
-      sum += y + reach < geometry.height() ? rows[{x, y + reach}] : 0.0F;
-      sum -= y - reach - 1 >= 0 ? rows[{x, y - reach - 1}] : 0.0F;
-      if (y >= 0) {
-        mean[{x, y}] = sum / window;
+namespace {
+
+/// Means over `2 * reach + 1` cells of lines, whose cells are cell(line, 0..length - 1).
+template <typename CellAt>
+Grid<float> lineMean(const Grid<float>& values, std::int64_t lines, std::int64_t length,
+                     std::int64_t reach, CellAt&& cell) {
+  Grid<float> mean(values.geometry);
+  const auto window = static_cast<double>(2 * reach + 1);
+  for (std::int64_t line = 0; line < lines; ++line) {
+    double sum = 0.0;
+    for (std::int64_t i = -reach; i < length; ++i) {
+      sum += i + reach < length ? static_cast<double>(values[cell(line, i + reach)]) : 0.0;
+      sum -= i - reach - 1 >= 0 ? static_cast<double>(values[cell(line, i - reach - 1)]) : 0.0;
+      if (i >= 0) {
+        mean[cell(line, i)] = static_cast<float>(sum / window);
       }
     }
   }
   return mean;
+}
+
+}  // namespace
+
+Grid<float> rowMean(const Grid<float>& values, std::int64_t reach) {
+  return lineMean(values, values.geometry.height(), values.geometry.width(), reach,
+                  [](auto line, auto i) {
+                    return Cell{i, line};
+                  });
+}
+
+Grid<float> columnMean(const Grid<float>& values, std::int64_t reach) {
+  return lineMean(values, values.geometry.width(), values.geometry.height(), reach,
+                  [](auto line, auto i) {
+                    return Cell{line, i};
+                  });
+}
+
+Grid<float> boxMean(const Grid<float>& values, std::int64_t reach) {
+  return columnMean(rowMean(values, reach), reach);
 }
 
 std::array<Grid<float>, 4> axisDistances(const Mask& set, float farthest) {

@@ -9,6 +9,11 @@ namespace sfw {
 
 /// Rasters along a grid's own axes, for the straight walls of the building frame.
 
+/// Means over the cells within `reach` of each in its row, or in its column; cells outside the grid
+/// count as 0. Linear in cells.
+Grid<float> rowMean(const Grid<float>& values, std::int64_t reach);
+Grid<float> columnMean(const Grid<float>& values, std::int64_t reach);
+
 /// Mean over the square of cells within `reach` of each cell in both axes; cells outside the grid
 /// count as 0. Linear in cells.
 Grid<float> boxMean(const Grid<float>& values, std::int64_t reach);
