@@ -33,9 +33,10 @@ std::string accessPointsYaml(const std::vector<AccessPoint>& access_points);
 /// day, so that it repeats.
 std::string reportJson(const Snapshot& snapshot, const Config& config);
 
-/// Writes map.pgm, map.yaml, probability.pgm, probability.yaml, map.bt, map.ot, map.png and
-/// report.json, and of tomography wall_loss.pgm and wall_loss.yaml, into a directory that is made
-/// if missing. No old file is replaced before all new ones are written whole.
+/// Writes map.pgm, map.yaml, probability.pgm, probability.yaml, map.png and report.json, of maps
+/// that octomapReaches map.bt and map.ot, and of tomography wall_loss.pgm and wall_loss.yaml, into
+/// a directory that is made if missing. No old file is replaced before all new ones are written
+/// whole; then those are removed that this map has none of.
 /// @throw std::system_error or std::invalid_argument naming the file and why.
 void writeMapFiles(const Snapshot& snapshot, const Config& config, const std::string& directory);
 

@@ -87,6 +87,13 @@ struct StrayPoses {
   double farthest_m = 0.0;  ///< from the believed pose before it, or after it if there is none
 };
 
+/// Where the path goes on from another place than it was at: the robot cannot have driven there.
+struct PathJumps {
+  std::size_t count = 0;
+  std::int64_t first_stamp_ns = 0;  ///< of the first pose after one
+  double farthest_m = 0.0;
+};
+
 /// A map with all that went into it. Immutable, shared between threads.
 struct Snapshot {
   BeliefMap belief;
@@ -96,6 +103,7 @@ struct Snapshot {
   std::optional<TomographySummary> tomography = {};  ///< of method tomography
   std::optional<DriftCheck> drift = {};              ///< once a Judge looked for it
   StrayPoses stray = {};                             ///< left out of all of this
+  PathJumps jumps = {};                              ///< of the path, which stays whole
 
   /// Readings that count for nothing since the same radio was heard stronger at the same stamp, but
   /// at another place: stamps were cut.

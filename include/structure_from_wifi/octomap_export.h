@@ -12,12 +12,15 @@ class OcTree;
 
 namespace sfw {
 
+/// Whether OctoMap reaches over a grid: 32768 voxels from the frame's origin each way.
+bool octomapReaches(const GridGeometry& geometry);
+
 /// The map as voxels: occupied cells from the floor to octomap/wall_height, free cells from the
 /// floor to octomap/robot_height, nothing where the map is unknown.
 ///
 /// Each voxel keeps its cell's probability. The tree is pruned; its resolution is the map's, whose
 /// origin lies on OctoMap's lattice by construction (GridGeometry::covering).
-/// @throw std::invalid_argument if the map reaches beyond OctoMap's +-32768 voxels.
+/// @throw std::invalid_argument unless octomapReaches the map, and as high as the settings want.
 /// O(known cells x height).
 std::unique_ptr<octomap::OcTree> toOctomap(const BeliefMap& belief, const Config::Octomap& config);
 

@@ -137,6 +137,10 @@ void runEvaluate(const EvaluateOptions& options) {
   const std::vector<Reading> readings = readWithWarnings(options.readings);
   EvaluationInput input{readMap(options.map), readMap(options.truth), {}, {}, {}};
   readBeside(options.map, options.probability, input);
+  if (!input.map.geometry.box().intersects(input.truth.geometry.box())) {
+    warn(options.map + " and " + options.truth +
+         " lie nowhere at the same place: are the two in the same frame?");
+  }
   for (const Reading& reading : readings) {
     input.path.push_back(reading.antenna_in_map);
   }

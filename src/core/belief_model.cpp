@@ -165,8 +165,17 @@ BeliefModel parseBeliefModel(const std::string& yaml, const std::string& name) {
 }
 
 BeliefModel configuredBeliefModel(const Config::Belief& config) {
-  return config.model.empty() ? shippedBeliefModel()
-                              : parseBeliefModel(readFile(config.model), config.model);
+  if (config.model.empty()) {
+    return shippedBeliefModel();
+  }
+  try {
+    return parseBeliefModel(readFile(config.model), config.model);
+  } catch (const InputError& error) {
+    const bool relative = config.model.front() != '/';
+    throw InputError(
+        "belief/model: " + std::string(error.what()) +
+        (relative ? " (looked for in the working directory; give its full path)" : ""));
+  }
 }
 
 std::string toYaml(const BeliefModel& model) {

@@ -62,7 +62,9 @@ std::vector<std::string> validate(const Config& config) {
                 config.rssi.max_walls, "in 1..20");
   rules.positive("rssi/min_wall_loss", config.rssi.min_wall_loss);
   rules.positive("tomography/bin", config.tomography.bin);
-  rules.notNegative("tomography/saturation", config.tomography.saturation);
+  const double saturation = config.tomography.saturation;
+  rules.require(saturation == 0.0 || (std::isfinite(saturation) && saturation >= 1.0),
+                "tomography/saturation", saturation, "0, or finite and at least 1 dB");
   rules.notNegative("tomography/sparsity", config.tomography.sparsity);
   rules.notNegative("tomography/straightness", config.tomography.straightness);
   rules.positive("tomography/unexplained", config.tomography.unexplained);
@@ -77,9 +79,11 @@ std::vector<std::string> validate(const Config& config) {
   rules.probability("inference/wall_density", config.inference.wall_density);
   rules.probability("belief/free_threshold", config.belief.free_threshold);
   rules.probability("belief/occupied_threshold", config.belief.occupied_threshold);
-  rules.require(!(config.belief.free_threshold > config.belief.occupied_threshold),
+  // Cells are kept in steps of up to .016: thresholds that are closer let no cell be unknown.
+  constexpr double kLeastApart = 0.05;
+  rules.require(!(config.belief.free_threshold > config.belief.occupied_threshold - kLeastApart),
                 "belief/free_threshold", config.belief.free_threshold,
-                "no higher than belief/occupied_threshold");
+                "at least 0.05 lower than belief/occupied_threshold");
   rules.positive("octomap/wall_height", config.octomap.wall_height);
   rules.positive("octomap/robot_height", config.octomap.robot_height);
   rules.frame("ros/map_frame", config.ros.map_frame);

@@ -118,6 +118,18 @@ bool isGroup(const std::string& name) {
   return group;
 }
 
+/// What to tell of a name that no setting has.
+std::string unknownText(const std::string& name) {
+  if (isGroup(name)) {
+    return name + " is a group of settings and has no value";
+  }
+  const std::string last = name.substr(name.rfind('/') + 1);
+  if (isGroup(last)) {
+    return name + " is not read: the group " + last + " must stand at the top";
+  }
+  return name + " is not a setting; did you mean " + nearestSetting(name) + "?";
+}
+
 YAML::Node loadYaml(const std::string& file) {
   try {
     return YAML::Load(readFile(file));
@@ -222,10 +234,7 @@ ConfigReading configFromYaml(const YAML::Node& node) {
     leaves.erase(leaf);
   });
   for (const auto& leaf : leaves) {
-    reading.warnings.push_back(isGroup(leaf.first)
-                                   ? leaf.first + " is a group of settings and has no value"
-                                   : leaf.first + " is not a setting; did you mean " +
-                                         nearestSetting(leaf.first) + "?");
+    reading.warnings.push_back(unknownText(leaf.first));
   }
   const std::vector<std::string> broken_rules = validate(reading.config);
   problems.insert(problems.end(), broken_rules.begin(), broken_rules.end());

@@ -3,9 +3,11 @@
 #include <octomap/OcTree.h>
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -240,6 +242,23 @@ std::string accessPointsYaml(const std::vector<AccessPoint>& access_points) {
   return std::string(yaml.c_str()) + "\n";
 }
 
+namespace {
+
+/// Removes files that a map may have and this one has not: they are of an earlier one.
+void removeOthers(const std::vector<std::pair<std::string, std::string>>& files,
+                  const std::string& directory) {
+  for (const char* name : {"map.bt", "map.ot", "wall_loss.pgm", "wall_loss.yaml"}) {
+    const std::string path = directory + "/" + name;
+    if (std::none_of(files.begin(), files.end(),
+                     [&](const auto& file) { return file.first == path; })) {
+      std::error_code not_there;
+      std::filesystem::remove(path, not_there);
+    }
+  }
+}
+
+}  // namespace
+
 std::string reportJson(const Snapshot& snapshot, const Config& config) {
   double length_m = 0.0;
   for (std::size_t i = 1; i < snapshot.path.size(); ++i) {
@@ -251,7 +270,8 @@ std::string reportJson(const Snapshot& snapshot, const Config& config) {
   report["map"] = describe(snapshot.belief);
   report["path"] = {{"poses", snapshot.path.size()},
                     {"length_m", length_m},
-                    {"stray_poses", snapshot.stray.count}};
+                    {"stray_poses", snapshot.stray.count},
+                    {"jumps", snapshot.jumps.count}};
   if (snapshot.drift) {
     report["drift"] = describe(*snapshot.drift);
   }
@@ -270,16 +290,18 @@ std::string reportJson(const Snapshot& snapshot, const Config& config) {
 void writeMapFiles(const Snapshot& snapshot, const Config& config, const std::string& directory) {
   // Everything is made before anything is written, so what cannot be made leaves no trace.
   const BeliefMap& belief = snapshot.belief;
-  const auto tree = toOctomap(belief, config.octomap);
   std::vector<std::pair<std::string, std::string>> files{
       {directory + "/map.pgm", trinaryPgm(belief)},
       {directory + "/map.yaml", trinaryYaml(belief.geometry())},
       {directory + "/probability.pgm", probabilityPgm(belief)},
       {directory + "/probability.yaml", probabilityYaml(belief.geometry())},
-      {directory + "/map.bt", encodeBinaryFile(*tree)},
-      {directory + "/map.ot", encodeFullFile(*tree)},
       {directory + "/map.png", renderPicture(snapshot)},
       {directory + "/report.json", reportJson(snapshot, config)}};
+  if (octomapReaches(belief.geometry())) {
+    const auto tree = toOctomap(belief, config.octomap);
+    files.emplace_back(directory + "/map.bt", encodeBinaryFile(*tree));
+    files.emplace_back(directory + "/map.ot", encodeFullFile(*tree));
+  }
   if (snapshot.tomography) {
     const Grid<float>& wall_loss = snapshot.tomography->wall_loss;
     files.emplace_back(directory + "/wall_loss.pgm", wallLossPgm(wall_loss));
@@ -287,6 +309,7 @@ void writeMapFiles(const Snapshot& snapshot, const Config& config, const std::st
   }
   makeDirectories(directory);
   writeAtomically(files);
+  removeOthers(files, directory);
 }
 
 void writePlanFiles(const Grid<CellState>& states, const std::string& directory,

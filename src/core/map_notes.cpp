@@ -6,6 +6,8 @@
 #include <iomanip>
 #include <sstream>
 
+#include "structure_from_wifi/octomap_export.h"
+
 namespace sfw {
 namespace {
 
@@ -55,6 +57,24 @@ void addNoteOnStrayPoses(const StrayPoses& stray, std::vector<std::string>& note
        << std::fixed << std::setprecision(3) << 1e-9 * static_cast<double>(stray.first_stamp_ns)
        << " s; look at what its localisation did";
   notes.push_back(text.str());
+}
+
+void addNoteOnJumps(const PathJumps& jumps, std::vector<std::string>& notes) {
+  if (jumps.count == 0) {
+    return;
+  }
+  std::ostringstream text;
+  text << "the path jumps " << jumps.count << (jumps.count == 1 ? " time" : " times")
+       << " and stays there, by up to " << std::lround(jumps.farthest_m) << " m, first at "
+       << std::fixed << std::setprecision(3) << 1e-9 * static_cast<double>(jumps.first_stamp_ns)
+       << " s: what it says before and after fits together only if both places are right";
+  notes.push_back(text.str());
+}
+
+/// Whether readings were taken at many places, all at the same time.
+bool isOneStamp(const Snapshot& snapshot) {
+  return snapshot.stamped_alike > 0 && !snapshot.path.empty() &&
+         snapshot.path.front().stamp_ns == snapshot.path.back().stamp_ns;
 }
 
 void addNoteOnStamps(std::size_t stamped_alike, std::vector<std::string>& notes) {
@@ -110,15 +130,40 @@ void addNoteOnSilence(const Snapshot& snapshot, std::vector<std::string>& notes)
   }
 }
 
+/// Of access points that are mapped with at one of several places where they may stand.
+void addNoteOnGuesses(const Snapshot& snapshot, std::vector<std::string>& notes) {
+  for (const AccessPointSummary& summary : snapshot.access_points) {
+    if (summary.estimate && summary.estimate->ambiguous) {
+      notes.push_back(summary.access_point.bssid.str() +
+                      " may stand at several places, as on either side of a straight way: the map "
+                      "reckons with the likeliest; measure its position, or drive around it");
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> mapNotes(const Snapshot& snapshot) {
   std::vector<std::string> notes;
-  addNoteOnPath(snapshot, notes);
-  addNoteOnStrayPoses(snapshot.stray, notes);
-  addNoteOnStamps(snapshot.stamped_alike, notes);
-  addNoteOnSignals(snapshot, notes);
+  if (isOneStamp(snapshot)) {
+    notes.push_back("all readings bear one stamp, of each radio only the strongest counts (" +
+                    std::to_string(snapshot.stamped_alike) +
+                    " do not): give each scan the time when it was made");
+  } else {
+    addNoteOnPath(snapshot, notes);
+    addNoteOnStrayPoses(snapshot.stray, notes);
+    addNoteOnJumps(snapshot.jumps, notes);
+    addNoteOnStamps(snapshot.stamped_alike, notes);
+    addNoteOnSignals(snapshot, notes);
+  }
+  addNoteOnGuesses(snapshot, notes);
   addNoteOnSilence(snapshot, notes);
+  if (!octomapReaches(snapshot.belief.geometry())) {
+    notes.emplace_back(
+        "there is no OctoMap: it ends 32768 cells from the frame's origin, and this map lies "
+        "beyond; "
+        "use a frame that begins nearer, or larger cells (map/resolution)");
+  }
   if (snapshot.drift && snapshot.drift->suspect) {
     notes.emplace_back(
         "the path looks as if it drifted: where it comes back to a place, signals differ as they "

@@ -53,6 +53,19 @@ StrayPoses summaryOf(const std::vector<PathPose>& path, const std::vector<bool>&
   return summary;
 }
 
+PathJumps jumpsOf(const std::vector<PathPose>& path) {
+  PathJumps jumps;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    if (!isReachable(path[i - 1], path[i])) {
+      jumps.first_stamp_ns = jumps.count == 0 ? path[i].stamp_ns : jumps.first_stamp_ns;
+      ++jumps.count;
+      jumps.farthest_m =
+          std::max(jumps.farthest_m, (path[i].antenna_in_map - path[i - 1].antenna_in_map).norm());
+    }
+  }
+  return jumps;
+}
+
 /// The pose of a path that is nearest in time.
 std::size_t poseAt(std::int64_t stamp_ns, const std::vector<PathPose>& path) {
   const auto next = std::lower_bound(
@@ -154,6 +167,7 @@ std::shared_ptr<const Snapshot> Mapper::infer(Hearing hearing,
   Snapshot snapshot{
       BeliefMap(geometryOf(extentOf(known)), config_.belief), known.path, {}, rejections_};
   snapshot.stray = known.stray;
+  snapshot.jumps = jumpsOf(snapshot.path);
   snapshot.stamped_alike = known.stamped_alike;
   std::vector<Series> heard = seriesOf(known.readings);
   snapshot.access_points = placed(heard, stop);

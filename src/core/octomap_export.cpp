@@ -21,6 +21,12 @@ std::int32_t layers(double height_m, double resolution_m) {
   return static_cast<std::int32_t>(std::clamp(whole, 1.0, kOctomapReach + 1.0));
 }
 
+/// Voxel of a grid's first cell, from the frame's origin.
+Cell firstVoxel(const GridGeometry& geometry) {
+  return {std::llround(geometry.origin().x() / geometry.resolution()),
+          std::llround(geometry.origin().y() / geometry.resolution())};
+}
+
 template <class Write>
 std::string encoded(Write&& write) {
   std::ostringstream stream;
@@ -40,17 +46,19 @@ std::string fileHeader(const char* magic, const octomap::OcTree& tree) {
 
 }  // namespace
 
+bool octomapReaches(const GridGeometry& geometry) {
+  const Cell first = firstVoxel(geometry);
+  return std::min(first.x, first.y) >= -kOctomapReach &&
+         std::max(first.x + geometry.width(), first.y + geometry.height()) <= kOctomapReach;
+}
+
 std::unique_ptr<octomap::OcTree> toOctomap(const BeliefMap& belief, const Config::Octomap& config) {
   const GridGeometry& geometry = belief.geometry();
   const double resolution = geometry.resolution();
-  const Cell first{std::llround(geometry.origin().x() / resolution),
-                   std::llround(geometry.origin().y() / resolution)};
   const std::int32_t wall_layers = layers(config.wall_height, resolution);
   const std::int32_t robot_layers = layers(config.robot_height, resolution);
-  if (std::min(first.x, first.y) < -kOctomapReach ||
-      std::max(first.x + geometry.width(), first.y + geometry.height()) > kOctomapReach) {
-    throw std::invalid_argument(
-        "the map reaches beyond OctoMap's 32768 voxels from its origin; raise map/resolution");
+  if (!octomapReaches(geometry)) {
+    throw std::invalid_argument("the map reaches beyond OctoMap's 32768 voxels from its origin");
   }
   if (std::max(wall_layers, robot_layers) > kOctomapReach) {
     throw std::invalid_argument(
@@ -74,7 +82,7 @@ std::unique_ptr<octomap::OcTree> toOctomap(const BeliefMap& belief, const Config
                        : Column{robot_layers, std::min(believed, -kLeast)};
     }
   }
-  auto tree = treeOfColumns(columns, first);
+  auto tree = treeOfColumns(columns, firstVoxel(geometry));
   // OctoMap's own limits would round our certain cells towards doubt.
   tree->setClampingThresMin(kLeastCertain);
   tree->setClampingThresMax(1.0 - kLeastCertain);

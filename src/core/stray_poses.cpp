@@ -16,10 +16,6 @@ double seconds(const PathPose& from, const PathPose& to) {
   return 1e-9 * std::abs(static_cast<double>(to.stamp_ns) - static_cast<double>(from.stamp_ns));
 }
 
-bool isReachable(const PathPose& from, const PathPose& to) {
-  return (to.antenna_in_map - from.antenna_in_map).norm() <= kJump + kFastest * seconds(from, to);
-}
-
 /// Poses that follow each other without a jump.
 struct Piece {
   std::size_t first;
@@ -39,6 +35,10 @@ std::vector<Piece> piecesOf(const std::vector<PathPose>& path) {
 }
 
 }  // namespace
+
+bool isReachable(const PathPose& from, const PathPose& to) {
+  return (to.antenna_in_map - from.antenna_in_map).norm() <= kJump + kFastest * seconds(from, to);
+}
 
 std::vector<bool> strayPoses(const std::vector<PathPose>& path) {
   std::vector<bool> stray(path.size(), false);

@@ -6,12 +6,16 @@
 
 namespace sfw {
 
+/// Whether the robot can have driven from one pose to another: at 10 m/s or less, but for 2 m that
+/// a correction of the path may move it by at once.
+bool isReachable(const PathPose& from, const PathPose& to);
+
 /// Poses at which the robot cannot have been: its localisation lost it for a moment.
 ///
-/// The path is cut where the robot would have had to go faster than 10 m/s, over more than 2 m. The
-/// piece of most poses is believed; and from it on, both ways, each piece that the robot could have
-/// reached from what is believed so far. So is one that lasts for 10 s or more, since a
-/// localisation that found its place moves all that follows; the rest is stray.
+/// The path is cut where the next pose is not reachable. The piece of most poses is believed; and
+/// from it on, both ways, each piece that the robot could have reached from what is believed so
+/// far. So is one that lasts for 10 s or more, since a localisation that found its place moves all
+/// that follows; the rest is stray.
 /// @param path  in the order driven
 /// @return for each pose whether it is stray. O(poses)
 std::vector<bool> strayPoses(const std::vector<PathPose>& path);

@@ -50,7 +50,8 @@ void MapPublishers::publishDueOctomaps() {
   const bool listened_to =
       octomap_binary_.getNumSubscribers() > 0 || octomap_full_.getNumSubscribers() > 0;
   const std::shared_ptr<const PublishedMap> map = last();
-  if (map && listened_to && octomap_due_.exchange(false)) {
+  if (map && listened_to && octomap_due_.exchange(false) &&
+      octomapReaches(map->snapshot->belief.geometry())) {
     publishOctomap(*map);
   }
 }

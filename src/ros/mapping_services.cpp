@@ -80,6 +80,10 @@ bool MappingNodelet::reset(std_srvs::Trigger::Response& response) {
 
 bool MappingNodelet::serveOctomap(bool binary, octomap_msgs::GetOctomap::Response& response) {
   const std::shared_ptr<const PublishedMap> map = publishers_->last();
+  if (!octomapReaches(map->snapshot->belief.geometry())) {
+    NODELET_ERROR("OctoMap does not reach to this map: see the notes of save_map");
+    return false;
+  }
   const auto tree = toOctomap(map->snapshot->belief, config_.octomap);
   response.map =
       binary ? toBinaryOctomap(*tree, map->grid.header) : toFullOctomap(*tree, map->grid.header);

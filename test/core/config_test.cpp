@@ -126,9 +126,17 @@ TEST(Validate, AsksForKnownWordsFramesAndADirectory) {
   EXPECT_EQ(brokenBy("ros/save_directory", std::string()), Names{"ros/save_directory"});
 }
 
-TEST(Validate, FindsCrossedThresholds) {
+TEST(Validate, AsksForThresholdsThatAreApart) {
   EXPECT_EQ(brokenBy("belief/free_threshold", 0.66), Names{"belief/free_threshold"});
-  EXPECT_EQ(brokenBy("belief/free_threshold", 0.65), Names());
+  EXPECT_EQ(brokenBy("belief/free_threshold", 0.61), Names{"belief/free_threshold"});
+  EXPECT_EQ(brokenBy("belief/free_threshold", 0.59), Names());
+  EXPECT_EQ(brokenBy("belief/occupied_threshold", 0.24), Names{"belief/free_threshold"});
+}
+
+TEST(Validate, AsksForNoSaturationOrOneThatLeavesSomething) {
+  EXPECT_EQ(brokenBy("tomography/saturation", 0.5), Names{"tomography/saturation"});
+  EXPECT_EQ(brokenBy("tomography/saturation", 1.0), Names());
+  EXPECT_EQ(brokenBy("tomography/saturation", 0.0), Names());
 }
 
 TEST(Validate, NamesAllProblemsAtOnceWithTheirValues) {
@@ -226,6 +234,9 @@ TEST(ConfigReader, NamesTheNearestSettingOfAnUnknownKey) {
   ASSERT_EQ(warnings.size(), 2U);
   EXPECT_EQ(warnings[0], "map/resolutoin is not a setting; did you mean map/resolution?");
   EXPECT_TRUE(contains(warnings[1], "window is not a setting; did you mean rssi/window"));
+  EXPECT_EQ(fromText("mapping: {belief: {free_threshold: 0.3}}").warnings,
+            std::vector<std::string>{
+                "mapping/belief is not read: the group belief must stand at the top"});
 }
 
 TEST(ConfigReader, NamesEveryWrongTypeAndEveryBrokenRuleAtOnce) {

@@ -103,6 +103,57 @@ TEST(MapNotes, TellOfStampsThatAreCut) {
           "but at another place; look whether stamps are cut, as to whole seconds"});
 }
 
+TEST(MapNotes, TellOfOneStampForAll) {
+  Mapper mapper(test::rawConfig(), {test::accessPoint(1, 2.0, 1.5)});
+  for (int i = 0; i < 400; ++i) {
+    mapper.insert(test::reading(7, lanes(i).x(), lanes(i).y(), fading(lanes(i))));
+  }
+  const auto strongest = mapNotes(*mapper.infer());
+  ASSERT_EQ(strongest.size(), 1U) << strongest.back();
+  EXPECT_EQ(strongest[0].rfind("all readings bear one stamp", 0), 0U) << strongest[0];
+}
+
+TEST(MapNotes, TellOfAPathThatGoesOnElsewhere) {
+  const auto jumping = [](int i) -> Position {
+    return i < 200 ? lanes(i) : Position(lanes(i) + Position(20.0, 0.0));
+  };
+  const std::string notes = notesOf(jumping, fading, 400);
+  EXPECT_TRUE(tells(notes, "path jumps 1 time and stays there, by up to 20 m")) << notes;
+}
+
+TEST(MapNotes, TellOfAnAccessPointThatMayStandAtSeveralPlaces) {
+  AccessPoint unplaced = test::accessPoint(1, 0.0, 0.0);
+  unplaced.position_known = false;
+  Mapper mapper(Config(), {unplaced});
+  const Position beside(5.0, 3.0);  // or as far on the other side
+  for (int i = 0; i < 200; ++i) {
+    const Position at(0.05 * i, 0.0);
+    mapper.insert(
+        test::reading(i, at.x(), at.y(), -40.0 - 20.0 * std::log10((at - beside).norm())));
+  }
+  const auto snapshot = mapper.infer();
+  ASSERT_TRUE(snapshot->access_points[0].estimate);
+  ASSERT_TRUE(snapshot->access_points[0].estimate->ambiguous);
+  const std::vector<std::string> notes = mapNotes(*snapshot);
+  EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
+    return note.rfind("02:00:00:00:00:01 may stand at several places", 0) == 0;
+  }));
+}
+
+TEST(MapNotes, TellThatOctoMapEndsBeforeTheMap) {
+  const auto far = [](int i) -> Position { return lanes(i) + Position(10000.0, 0.0); };
+  const auto far_signal = [](const Position& at) {
+    return fading(Position(at - Position(10000.0, 0.0)));
+  };
+  Mapper mapper(Config(), {test::accessPoint(1, 10002.0, 1.5)});
+  for (int i = 0; i < 400; ++i) {
+    mapper.insert(test::reading(i, far(i).x(), far(i).y(), far_signal(far(i))));
+  }
+  const std::vector<std::string> notes = mapNotes(*mapper.infer());
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_EQ(notes[0].rfind("there is no OctoMap", 0), 0U) << notes[0];
+}
+
 TEST(MapNotes, NameAccessPointsThatWereNeverHeard) {
   const Config config = test::rawConfig();
   Mapper mapper(config, {test::accessPoint(1, 2.0, 1.5), test::accessPoint(2, 3.0, 3.0),

@@ -63,6 +63,23 @@ TEST_F(MapWriting, MakesItsDirectoryAndAllFiles) {
   EXPECT_EQ(names, kFiles);
 }
 
+TEST_F(MapWriting, LeavesNoOctoMapOfAnEarlierMapWhereItHasNone) {
+  writeMapFiles(snapshot(0), Config(), folder_.string());
+  write("notes.txt", "precious");
+  Snapshot far = snapshot(0);
+  far.belief = BeliefMap(Grid<float>(GridGeometry(0.05, {10000.0, 0.0}, 40, 40), 0.1F), {});
+  writeMapFiles(far, Config(), folder_.string());
+  std::set<std::string> expected = kFiles;
+  expected.erase("map.bt");
+  expected.erase("map.ot");
+  expected.insert("notes.txt");
+  std::set<std::string> names;
+  for (const auto& [name, bytes] : contentOf(folder_)) {
+    names.insert(name);
+  }
+  EXPECT_EQ(names, expected);
+}
+
 TEST_F(MapWriting, WritesFilesThatOthersMayRead) {
   writeAtomically(path("file"), "text");
   using std::filesystem::perms;
