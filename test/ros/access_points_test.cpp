@@ -76,7 +76,7 @@ class AccessPointsTest : public NodeletWorld {
 
 TEST_F(AccessPointsTest, TellsWhichPositionsAgreeWithWhatWasHeard) {
   drive(kSteps);
-  ASSERT_TRUE(spinUntil([&] { return isJudged(); }, 10.0));
+  ASSERT_TRUE(spinUntil([&] { return isJudged(); }, 30.0));
   const structure_from_wifi::AccessPoint& right = told_->access_points[0];
   EXPECT_FALSE(right.estimated);
   EXPECT_FALSE(right.suspect);
@@ -102,7 +102,7 @@ TEST_F(AccessPointsTest, TellsWhichPositionsAgreeWithWhatWasHeard) {
 
 TEST_F(AccessPointsTest, ShowsWhatIsEstimatedAndWhatIsSuspect) {
   drive(kSteps);
-  ASSERT_TRUE(spinUntil([&] { return isJudged() && markers_ && marker("doubts", 1); }, 10.0));
+  ASSERT_TRUE(spinUntil([&] { return isJudged() && markers_ && marker("doubts", 1); }, 30.0));
   ASSERT_NE(marker("access_points", 0), nullptr);
   ASSERT_NE(marker("access_points", 1), nullptr);
   for (const int number : {0, 1, 2}) {

@@ -109,7 +109,7 @@ TEST_F(CorrectedPathTest, TellsWhereTheAccessPointsAre) {
   const ros::Subscriber late = ros::NodeHandle().subscribe<structure_from_wifi::AccessPoints>(
       name_ + "/access_points", 10,
       [&](const structure_from_wifi::AccessPointsConstPtr& message) { told = message; });
-  ASSERT_TRUE(spinUntil([&] { return told != nullptr; }, 5.0)) << "is not latched";
+  ASSERT_TRUE(spinUntil([&] { return told != nullptr; }, 30.0)) << "is not latched";
   EXPECT_EQ(told->header.frame_id, "map");
   ASSERT_EQ(told->access_points.size(), 2U);
   const structure_from_wifi::AccessPoint& far = told->access_points[1];

@@ -148,7 +148,7 @@ TEST_F(LiveMappingTest, AResetOutdatesTheMapThatIsBeingMade) {
   std_srvs::Trigger reset;
   ASSERT_TRUE(ros::service::call(name_ + "/mapping/reset", reset));
   EXPECT_TRUE(reset.response.success);
-  EXPECT_TRUE(spinUntil([&] { return !knows(); }, 5.0));
+  EXPECT_TRUE(spinUntil([&] { return !knows(); }, 30.0));
   EXPECT_FALSE(spinUntil(knows, 2.0)) << "a map of before the reset came after it";
 }
 

@@ -77,7 +77,7 @@ class LaunchWorld : public testing::Test {
     const ros::Publisher transforms = node.advertise<tf2_msgs::TFMessage>("/tf", 1000);
     const ros::Publisher scans = node.advertise<structure_from_wifi::WifiScan>("wifi_scan", 1000);
     if (!spinUntil([&] { return transforms.getNumSubscribers() && scans.getNumSubscribers(); },
-                   5.0)) {
+                   30.0)) {
       return false;
     }
     constexpr int kScans = 240;

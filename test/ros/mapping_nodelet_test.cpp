@@ -28,7 +28,7 @@ using MappingNodeletTest = NodeletWorld;
 TEST_F(MappingNodeletTest, PublishesAnUnknownMapBeforeTheClockRuns) {
   ros::Time::setNow(ros::Time());
   load();
-  ASSERT_TRUE(spinUntil([&] { return map_ != nullptr; }, 1.0));
+  ASSERT_TRUE(spinUntil([&] { return map_ != nullptr; }, 30.0));
   EXPECT_EQ(std::count(map_->data.begin(), map_->data.end(), -1),
             static_cast<std::ptrdiff_t>(map_->data.size()));
   sendPose(0.0, 1.0, 2.0);
@@ -246,7 +246,7 @@ TEST_F(MappingNodeletTest, SurvivesContactsWithoutCoordinates) {
   load();
   ros::Publisher clouds =
       ros::NodeHandle().advertise<sensor_msgs::PointCloud2>(name_ + "/contact_points", 10);
-  ASSERT_TRUE(spinUntil([&] { return clouds.getNumSubscribers() > 0; }, 3.0));
+  ASSERT_TRUE(spinUntil([&] { return clouds.getNumSubscribers() > 0; }, 30.0));
   sensor_msgs::PointCloud2 cloud;
   cloud.header.frame_id = "/base_link";
   cloud.width = cloud.height = 1000;

@@ -138,7 +138,7 @@ class NodeletWorld : public testing::Test {
   /// The rows that the nodelet saves, once there are so many; what there is after 5 s otherwise.
   std::vector<std::string> rows(std::size_t expected) {
     std::vector<std::string> saved;
-    spinUntil([&] { return (saved = savedRows()).size() >= expected; }, 5.0);
+    spinUntil([&] { return (saved = savedRows()).size() >= expected; }, 30.0);
     return saved;
   }
 

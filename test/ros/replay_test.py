@@ -122,8 +122,6 @@ class Replay(unittest.TestCase):
         self.write(stops, recording_bag.plain_messages(stops))
         with RosSession() as self.session:
             self.session.set_parameter("/launch_test/drive", False)
-            # The test must look before the bag begins, and has the launch file to wait for.
-            self.session.set_parameter("/launch_test/first_map_within", 10)
             launch = self.launch(8, 4)
             try:
                 wait_until(lambda: self.session.master().hasParam("/t", "/mapping/ros")[2], 20,

@@ -70,7 +70,7 @@ class Drive : public testing::Test {
         });
     spinUntil([&] { return !record.finished.empty() && record.finished.back(); }, 30.0);
     const std::size_t clocks = record.clocks.size();
-    spinUntil([&] { return record.clocks.size() > clocks + 20; }, 5.0);
+    spinUntil([&] { return record.clocks.size() > clocks + 20; }, 30.0);
   }
 
   static void TearDownTestSuite() { record_.reset(); }
@@ -146,7 +146,7 @@ TEST(Simulator, TruthIsThePlanAndLatched) {
   nav_msgs::OccupancyGridConstPtr truth;
   const auto subscriber = node.subscribe<nav_msgs::OccupancyGrid>(
       "truth", 1, [&](const nav_msgs::OccupancyGridConstPtr& message) { truth = message; });
-  ASSERT_TRUE(spinUntil([&] { return truth != nullptr; }, 5.0));
+  ASSERT_TRUE(spinUntil([&] { return truth != nullptr; }, 30.0));
   const Grid<CellState> plan = readMap(dataFile("room.yaml"));
   EXPECT_EQ(truth->header.frame_id, "map");
   EXPECT_EQ(truth->info.resolution, 0.1F);
