@@ -89,7 +89,7 @@ void reportRejections(const std::string& source, const Rejections& rejections) {
 /// Tells of an access point that is not placed, or probably placed wrong.
 void reportAccessPoint(const std::string& table, const AccessPointSummary& summary) {
   const std::string name = table + ": " + summary.access_point.bssid.str();
-  if (!isPlaced(summary)) {
+  if (!isPlaced(summary) && summary.readings > 0) {  // silent ones are told by mapNotes
     warn(name + " is left out: it has no position, and its " + std::to_string(summary.readings) +
          " readings do not tell one");
   } else if (summary.fit && summary.fit->suspect) {
