@@ -77,6 +77,7 @@ struct TomographySummary {
 struct Rejections {
   std::map<Insertion, std::size_t> count;
   std::map<Bssid, std::size_t> unknown_access_points;  ///< readings of each; the first 1000 heard
+  std::map<std::string, std::size_t> before = {};      ///< never came so far, by reason (leaveOut)
 };
 
 /// Poses at which the robot cannot have been, since it would have had to jump there and back. They
@@ -87,11 +88,12 @@ struct StrayPoses {
   double farthest_m = 0.0;  ///< from the believed pose before it, or after it if there is none
 };
 
-/// Where the path goes on from another place than it was at: the robot cannot have driven there.
-struct PathJumps {
-  std::size_t count = 0;
-  std::int64_t first_stamp_ns = 0;  ///< of the first pose after one
-  double farthest_m = 0.0;
+/// How a path goes: at what speed, and where it goes on from another place than it was at.
+struct PathMotion {
+  double usual_speed_m_s = 0.0;          ///< median of the steps
+  std::size_t jumps = 0;                 ///< steps that the robot cannot have driven
+  std::int64_t first_jump_stamp_ns = 0;  ///< of the pose after it
+  double farthest_jump_m = 0.0;
 };
 
 /// A map with all that went into it. Immutable, shared between threads.
@@ -103,7 +105,10 @@ struct Snapshot {
   std::optional<TomographySummary> tomography = {};  ///< of method tomography
   std::optional<DriftCheck> drift = {};              ///< once a Judge looked for it
   StrayPoses stray = {};                             ///< left out of all of this
-  PathJumps jumps = {};                              ///< of the path, which stays whole
+  PathMotion motion = {};                            ///< on the path
+
+  /// Readings of 0 dBm or nearly so, stronger than any radio is heard: a driver's "not known"?
+  std::size_t too_strong = 0;
 
   /// Readings that count for nothing since the same radio was heard stronger at the same stamp, but
   /// at another place: stamps were cut.
@@ -127,6 +132,12 @@ class Mapper {
   /// was.
   Insertion insert(const Reading& reading);
   Insertion insert(const Contact& contact);
+
+  /// Notes readings that could not even be inserted, for the report.
+  /// @param reason  what was wrong with them, in words
+  void leaveOut(const std::string& reason, std::size_t count) {
+    rejections_.before[reason] += count;
+  }
 
   /// Moves all readings and contacts as a localisation corrected the past. What the map cannot
   /// hold there is left out and counted. O(readings log fixes).

@@ -128,13 +128,25 @@ std::vector<Position> heardAccessPoints(const EvaluateOptions& options,
   return positions;
 }
 
+void writePictures(const EvaluateOptions& options, const EvaluationInput& input,
+                   const Evaluation& evaluation, const std::vector<JudgedMap>& beside) {
+  if (!options.picture.empty()) {
+    writeAtomically(options.picture, renderComparison(input));
+  }
+  if (!options.panels.empty()) {
+    std::vector<JudgedMap> shown = beside;
+    shown.push_back({options.title, input.map, evaluation.map});
+    writeAtomically(options.panels, picturePanels(input, evaluation, shown, !options.no_legend));
+  }
+}
+
 void runEvaluate(const EvaluateOptions& options) {
   if (options.readings.empty()) {
     throw InputError(
         "--readings is missing: the figures are about the room that the path of the readings lies "
         "in");
   }
-  const std::vector<Reading> readings = readWithWarnings(options.readings);
+  const std::vector<Reading> readings = readWithWarnings(options.readings).readings;
   EvaluationInput input{readMap(options.map), readMap(options.truth), {}, {}, {}};
   readBeside(options.map, options.probability, input);
   if (!input.map.geometry.box().intersects(input.truth.geometry.box())) {
@@ -157,17 +169,18 @@ void runEvaluate(const EvaluateOptions& options) {
     }
     beside.push_back(std::move(judged));
   }
-  if (!options.picture.empty()) {
-    writeAtomically(options.picture, renderComparison(input));
-  }
-  if (!options.panels.empty()) {
-    std::vector<JudgedMap> shown = beside;
-    shown.push_back({options.title, input.map, evaluation.map});
-    writeAtomically(options.panels, picturePanels(input, evaluation, shown, !options.no_legend));
-  }
   const std::optional<ControlFigures> controls = controlsFor(options, input, readings);
   const std::optional<PredictionFigures> prediction = predictionFor(options, readings);
-  if (!options.json) {
+  if (options.json) {
+    nlohmann::ordered_json json = toJson(evaluation, beside);
+    if (controls) {
+      json["controls"] = toJson(*controls);
+    }
+    if (prediction) {
+      json["prediction"] = toJson(*prediction);
+    }
+    std::cout << json.dump(2) << std::endl;
+  } else {
     printTable(std::cout, evaluation, beside);
     if (controls) {
       printControls(std::cout, evaluation.map, *controls);
@@ -175,16 +188,9 @@ void runEvaluate(const EvaluateOptions& options) {
     if (prediction) {
       printPrediction(std::cout, *prediction);
     }
-    return;
+    std::cout << std::flush;
   }
-  nlohmann::ordered_json json = toJson(evaluation, beside);
-  if (controls) {
-    json["controls"] = toJson(*controls);
-  }
-  if (prediction) {
-    json["prediction"] = toJson(*prediction);
-  }
-  std::cout << json.dump(2) << '\n';
+  writePictures(options, input, evaluation, beside);  // last: figures are there if it fails
 }
 
 }  // namespace

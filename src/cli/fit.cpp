@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -122,7 +124,17 @@ std::string describe(const FitOptions& options, const std::vector<TrainingCells>
   return text + " with " + std::to_string(cells) + " cells.\n";
 }
 
+/// Fitting takes minutes: what is in the way of its result must be told before.
+void requireWritable(const std::string& file) {
+  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+  makeDirectories(folder.string());
+  if (std::filesystem::is_directory(file) || access(folder.c_str(), W_OK) != 0) {
+    throw InputError(file + ": cannot be written");
+  }
+}
+
 void run(const FitOptions& options) {
+  requireWritable(options.output);
   const Config config = options.config.empty() ? Config() : readConfig(options.config).config;
   std::vector<Plan> plans;
   for (const std::string& file : planFiles(options.plans)) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -61,10 +62,12 @@ Mapper mapperFor(const std::string& access_points, const Config& config) {
 void insertBag(const MapOptions& options, const Config::Ros& config, Mapper& mapper) {
   const BagReading reading = readBag(options.bag, options.topics, config, mapper);
   if (reading.malformed > 0) {
+    mapper.leaveOut("bssid, age or cloud is malformed", reading.malformed);
     warn(options.bag + ": " + std::to_string(reading.malformed) +
          " readings or contacts left out: bssid, age or the cloud's fields are malformed");
   }
   if (reading.unplaced > 0) {
+    mapper.leaveOut("no transform at their stamp", reading.unplaced);
     warn(options.bag + ": " + std::to_string(reading.unplaced) +
          " readings left out: no transform from " + config.antenna_frame + " to " +
          config.map_frame + " at their stamp (" + reading.reason + ")");
@@ -86,18 +89,19 @@ void reportRejections(const std::string& source, const Rejections& rejections) {
   }
 }
 
-/// Tells of an access point that is not placed, or probably placed wrong.
+/// Tells of an access point that the table has no position of.
 void reportAccessPoint(const std::string& table, const AccessPointSummary& summary) {
   const std::string name = table + ": " + summary.access_point.bssid.str();
   if (!isPlaced(summary) && summary.readings > 0) {  // silent ones are told by mapNotes
     warn(name + " is left out: it has no position, and its " + std::to_string(summary.readings) +
          " readings do not tell one");
-  } else if (summary.fit && summary.fit->suspect) {
+  } else if (summary.estimate) {
+    const Position& place = summary.access_point.position;
     std::ostringstream text;
-    text << std::fixed << std::setprecision(1) << name << ": its readings fit a place "
-         << summary.fit->distance << " m away, at (" << summary.fit->estimate.position.x() << ", "
-         << summary.fit->estimate.position.y() << "), much better than the one given";
-    warn(text.str());
+    text << std::fixed << std::setprecision(1) << name << " is reckoned to stand at (" << place.x()
+         << ", " << place.y() << "), give or take "
+         << std::sqrt(summary.estimate->covariance.diagonal().maxCoeff()) << " m";
+    std::cerr << "sfw: " << text.str() << '\n';
   }
 }
 
@@ -107,8 +111,12 @@ void run(const MapOptions& options) {
   Mapper mapper = mapperFor(options.access_points, config);
   const std::string& source = options.bag.empty() ? options.readings : options.bag;
   if (options.bag.empty()) {
-    for (const Reading& reading : readWithWarnings(options.readings)) {
+    const ReadingFile file = readWithWarnings(options.readings);
+    for (const Reading& reading : file.readings) {
       mapper.insert(reading);
+    }
+    for (const auto& [reason, skipped] : file.skipped) {
+      mapper.leaveOut(reason, skipped.count);
     }
   } else {
     insertBag(options, config.ros, mapper);
@@ -130,8 +138,8 @@ void run(const MapOptions& options) {
   for (const AccessPointSummary& summary : judged.access_points) {
     reportAccessPoint(options.access_points, summary);
   }
-  for (const std::string& note : mapNotes(judged)) {
-    warn(source + ": " + note);
+  for (const MapNote& note : mapNotes(judged)) {
+    warn(source + ": " + note.text);
   }
   writeMapFiles(judged, config, options.output);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;

@@ -6,13 +6,13 @@ namespace sfw {
 
 void warn(const std::string& text) { std::cerr << "sfw: warning: " << text << '\n'; }
 
-std::vector<Reading> readWithWarnings(const std::string& file) {
+ReadingFile readWithWarnings(const std::string& file) {
   ReadingFile input = readReadings(file);
   for (const auto& [reason, skipped] : input.skipped) {
     warn(file + ": " + std::to_string(skipped.count) + " rows skipped: " + reason +
          " (first: " + skipped.first + ")");
   }
-  return std::move(input.readings);
+  return input;
 }
 
 }  // namespace sfw

@@ -12,6 +12,6 @@ void warn(const std::string& text);
 
 /// Reads a file of readings; warns of the rows that are skipped, once for each reason.
 /// @throw InputError as readReadings
-std::vector<Reading> readWithWarnings(const std::string& file);
+ReadingFile readWithWarnings(const std::string& file);
 
 }  // namespace sfw

@@ -81,7 +81,7 @@ std::vector<std::string> validate(const Config& config) {
   rules.probability("belief/occupied_threshold", config.belief.occupied_threshold);
   // Cells are kept in steps of up to .016: thresholds that are closer let no cell be unknown.
   constexpr double kLeastApart = 0.05;
-  rules.require(!(config.belief.free_threshold > config.belief.occupied_threshold - kLeastApart),
+  rules.require(!(config.belief.free_threshold > config.belief.occupied_threshold - kLeastApart + 1e-9),
                 "belief/free_threshold", config.belief.free_threshold,
                 "at least 0.05 lower than belief/occupied_threshold");
   rules.positive("octomap/wall_height", config.octomap.wall_height);

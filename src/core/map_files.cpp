@@ -119,6 +119,9 @@ ordered_json describe(const Rejections& rejections) {
   for (const auto& [insertion, count] : rejections.count) {
     json["by_reason"][toString(insertion)] = count;
   }
+  for (const auto& [reason, count] : rejections.before) {
+    json["by_reason"][reason] = json["by_reason"].value(reason, std::size_t{0}) + count;
+  }
   for (const auto& [bssid, count] : rejections.unknown_access_points) {
     json["unknown_access_points"][bssid.str()] = count;
   }
@@ -266,12 +269,16 @@ std::string reportJson(const Snapshot& snapshot, const Config& config) {
   }
   ordered_json report;
   report["method"] = config.method;
-  report["notes"] = mapNotes(snapshot);
+  report["notes"] = ordered_json::array();
+  for (const MapNote& note : mapNotes(snapshot)) {
+    report["notes"].push_back(note.text);
+  }
   report["map"] = describe(snapshot.belief);
   report["path"] = {{"poses", snapshot.path.size()},
                     {"length_m", length_m},
                     {"stray_poses", snapshot.stray.count},
-                    {"jumps", snapshot.jumps.count}};
+                    {"jumps", snapshot.motion.jumps},
+                    {"usual_speed_m_s", snapshot.motion.usual_speed_m_s}};
   if (snapshot.drift) {
     report["drift"] = describe(*snapshot.drift);
   }

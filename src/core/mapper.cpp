@@ -83,7 +83,7 @@ const char* toString(Insertion insertion) {
     case Insertion::kRssiNotFinite:
       return "rssi_dbm is not finite";
     case Insertion::kRssiOutOfRange:
-      return "rssi_dbm is not in (-120, 0] (is it percent?)";
+      return "rssi_dbm is not in (-120, 0] (percent, or a driver's \"not heard\"?)";
     case Insertion::kUnknownAccessPoint:
       return "bssid is not in the table of access points";
     case Insertion::kTooManyReadings:

@@ -53,17 +53,26 @@ StrayPoses summaryOf(const std::vector<PathPose>& path, const std::vector<bool>&
   return summary;
 }
 
-PathJumps jumpsOf(const std::vector<PathPose>& path) {
-  PathJumps jumps;
+PathMotion motionOf(const std::vector<PathPose>& path) {
+  PathMotion motion;
+  motion.usual_speed_m_s = usualSpeed(path);
   for (std::size_t i = 1; i < path.size(); ++i) {
-    if (!isReachable(path[i - 1], path[i])) {
-      jumps.first_stamp_ns = jumps.count == 0 ? path[i].stamp_ns : jumps.first_stamp_ns;
-      ++jumps.count;
-      jumps.farthest_m =
-          std::max(jumps.farthest_m, (path[i].antenna_in_map - path[i - 1].antenna_in_map).norm());
+    if (!isReachable(path[i - 1], path[i], motion.usual_speed_m_s)) {
+      motion.first_jump_stamp_ns =
+          motion.jumps == 0 ? path[i].stamp_ns : motion.first_jump_stamp_ns;
+      ++motion.jumps;
+      motion.farthest_jump_m = std::max(
+          motion.farthest_jump_m, (path[i].antenna_in_map - path[i - 1].antenna_in_map).norm());
     }
   }
-  return jumps;
+  return motion;
+}
+
+std::size_t countTooStrong(const std::vector<Reading>& readings) {
+  constexpr double kStrongest = -3.0;  // [dBm]
+  return static_cast<std::size_t>(
+      std::count_if(readings.begin(), readings.end(),
+                    [](const Reading& reading) { return reading.rssi_dbm > kStrongest; }));
 }
 
 /// The pose of a path that is nearest in time.
@@ -167,7 +176,8 @@ std::shared_ptr<const Snapshot> Mapper::infer(Hearing hearing,
   Snapshot snapshot{
       BeliefMap(geometryOf(extentOf(known)), config_.belief), known.path, {}, rejections_};
   snapshot.stray = known.stray;
-  snapshot.jumps = jumpsOf(snapshot.path);
+  snapshot.motion = motionOf(snapshot.path);
+  snapshot.too_strong = countTooStrong(known.readings);
   snapshot.stamped_alike = known.stamped_alike;
   std::vector<Series> heard = seriesOf(known.readings);
   snapshot.access_points = placed(heard, stop);

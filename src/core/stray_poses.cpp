@@ -8,7 +8,8 @@
 namespace sfw {
 namespace {
 
-constexpr double kFastest = 10.0;      // [m/s]
+constexpr double kFaster = 5.0;        // times the usual speed
+constexpr double kSlow = 1.0;          // [m/s] that any robot may reach
 constexpr double kJump = 2.0;          // [m] that a correction of the path may move it by at once
 constexpr double kLongestLost = 10.0;  // [s]
 
@@ -22,10 +23,10 @@ struct Piece {
   std::size_t last;
 };
 
-std::vector<Piece> piecesOf(const std::vector<PathPose>& path) {
+std::vector<Piece> piecesOf(const std::vector<PathPose>& path, double usual_speed) {
   std::vector<Piece> pieces;
   for (std::size_t i = 0; i < path.size(); ++i) {
-    if (i > 0 && isReachable(path[i - 1], path[i])) {
+    if (i > 0 && isReachable(path[i - 1], path[i], usual_speed)) {
       pieces.back().last = i;
     } else {
       pieces.push_back({i, i});
@@ -36,13 +37,32 @@ std::vector<Piece> piecesOf(const std::vector<PathPose>& path) {
 
 }  // namespace
 
-bool isReachable(const PathPose& from, const PathPose& to) {
-  return (to.antenna_in_map - from.antenna_in_map).norm() <= kJump + kFastest * seconds(from, to);
+double usualSpeed(const std::vector<PathPose>& path) {
+  constexpr double kMoves = 0.01;  // [m]
+  std::vector<double> speeds;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const double distance = (path[i].antenna_in_map - path[i - 1].antenna_in_map).norm();
+    if (distance > kMoves && path[i].stamp_ns != path[i - 1].stamp_ns) {
+      speeds.push_back(distance / seconds(path[i - 1], path[i]));
+    }
+  }
+  if (speeds.empty()) {
+    return 0.0;
+  }
+  const auto middle = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() / 2);
+  std::nth_element(speeds.begin(), middle, speeds.end());
+  return *middle;
+}
+
+bool isReachable(const PathPose& from, const PathPose& to, double usual_speed) {
+  const double fastest = std::max(kSlow, kFaster * usual_speed);
+  return (to.antenna_in_map - from.antenna_in_map).norm() <= kJump + fastest * seconds(from, to);
 }
 
 std::vector<bool> strayPoses(const std::vector<PathPose>& path) {
   std::vector<bool> stray(path.size(), false);
-  const std::vector<Piece> pieces = piecesOf(path);
+  const double usual_speed = usualSpeed(path);
+  const std::vector<Piece> pieces = piecesOf(path, usual_speed);
   if (pieces.size() < 2) {
     return stray;
   }
@@ -51,7 +71,7 @@ std::vector<bool> strayPoses(const std::vector<PathPose>& path) {
       [](const Piece& a, const Piece& b) { return a.last - a.first < b.last - b.first; });
   const auto judge = [&](const Piece& piece, std::size_t believed, std::size_t near) {
     const bool lasts = seconds(path[piece.first], path[piece.last]) >= kLongestLost;
-    if (lasts || isReachable(path[believed], path[near])) {
+    if (lasts || isReachable(path[believed], path[near], usual_speed)) {
       return true;
     }
     for (std::size_t i = piece.first; i <= piece.last; ++i) {

@@ -6,9 +6,13 @@
 
 namespace sfw {
 
-/// Whether the robot can have driven from one pose to another: at 10 m/s or less, but for 2 m that
-/// a correction of the path may move it by at once.
-bool isReachable(const PathPose& from, const PathPose& to);
+/// Speed of a path: the median of its steps, those left out that hardly move or take no time [m/s];
+/// 0 if there are no others.
+double usualSpeed(const std::vector<PathPose>& path);
+
+/// Whether the robot can have driven from one pose to another: at five times its usual speed [m/s],
+/// or at 1 m/s if that is slower, but for 2 m that a correction of the path may move it by at once.
+bool isReachable(const PathPose& from, const PathPose& to, double usual_speed);
 
 /// Poses at which the robot cannot have been: its localisation lost it for a moment.
 ///

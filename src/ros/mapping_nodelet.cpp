@@ -29,6 +29,8 @@ void MappingNodelet::onInit() {
     placing_thread_ = std::thread([this] { run(quick_calls_, &MappingNodelet::stepPlacing); });
     mapping_thread_ = std::thread([this] { run(slow_calls_, &MappingNodelet::stepMapping); });
     subscribe();  // last: callbacks may come before onInit returns
+    silence_timer_ = getNodeHandle().createSteadyTimer(
+        ros::WallDuration(kWarningPeriod), [this](const ros::SteadyTimerEvent&) { tellSilence(); });
   } catch (const std::exception& error) {
     std::istringstream problems(error.what());
     for (std::string problem; std::getline(problems, problem);) {
@@ -86,7 +88,9 @@ void MappingNodelet::receiveScan(const structure_from_wifi::WifiScan& scan) {
   for (Observation& observation : toObservations(scan, ros::Time::now(), malformed)) {
     queue_->push(std::move(observation));
   }
+  received_ = true;
   if (malformed > 0) {
+    mapper_->leaveOut("bssid or age is malformed, or beyond the 1000th of a scan", malformed);
     NODELET_WARN_STREAM_THROTTLE(kWarningPeriod,
                                  "wifi_scan: " << malformed
                                                << " readings with a malformed bssid or age, or "
@@ -95,6 +99,7 @@ void MappingNodelet::receiveScan(const structure_from_wifi::WifiScan& scan) {
 }
 
 void MappingNodelet::receiveConnection(const wireless_msgs::Connection& connection) {
+  received_ = true;
   const std::vector<Observation> observations = toObservations(connection, ros::Time::now());
   if (observations.empty()) {
     NODELET_WARN_THROTTLE(kWarningPeriod, "connection: the radio is not associated");
@@ -161,6 +166,7 @@ void MappingNodelet::placeObservations() {
 
 void MappingNodelet::warnOfLosses(const ObservationQueue::Outcome& outcome) {
   if (outcome.expired > 0) {
+    mapper_->leaveOut("no transform at their stamp", outcome.expired);
     NODELET_WARN_STREAM_THROTTLE(
         kWarningPeriod, outcome.expired
                             << " readings dropped: no transform from " << config_.ros.antenna_frame
@@ -168,6 +174,7 @@ void MappingNodelet::warnOfLosses(const ObservationQueue::Outcome& outcome) {
                             << config_.ros.transform_timeout << " s; tf says: " << outcome.reason);
   }
   if (outcome.crowded_out > 0) {
+    mapper_->leaveOut("more than ros/max_waiting waited for a transform", outcome.crowded_out);
     NODELET_WARN_STREAM_THROTTLE(kWarningPeriod, outcome.crowded_out
                                                      << " readings dropped: more than "
                                                         "ros/max_waiting wait for a transform");
@@ -208,8 +215,35 @@ MappingNodelet::Mapping MappingNodelet::publishMap(Judging judging) {
   const std::lock_guard<std::mutex> lock(publishing_);
   if (mapping.snapshot && mapping.copy.resets == mapper_->resets()) {
     publishers_->publish(mapping.snapshot);
+    if (judging == Judging::kWhatChanged) {  // the others are told with all other notes
+      tellFaults(*mapping.snapshot);
+    }
   }
   return mapping;
+}
+
+void MappingNodelet::tellFaults(const Snapshot& snapshot) {
+  if (forget_told_.exchange(false)) {
+    told_.clear();
+  }
+  for (const MapNote& note : mapNotes(snapshot)) {
+    if (isFault(note) && told_.emplace(note.kind, note.about).second) {
+      NODELET_WARN_STREAM(note.text);
+    }
+  }
+}
+
+void MappingNodelet::tellSilence() {
+  if (ros::Time::isSimTime() && ros::Time::now().isZero()) {
+    NODELET_WARN(
+        "use_sim_time is set and nobody publishes /clock: play a bag or simulate, or, on a real "
+        "robot, rosparam delete /use_sim_time and start again");
+  } else if (!received_) {
+    NODELET_WARN_STREAM("Nothing was heard yet on " << subscribers_[0].getTopic() << " or "
+                                                    << subscribers_[1].getTopic());
+  } else {
+    silence_timer_.stop();
+  }
 }
 
 }  // namespace sfw

@@ -5,6 +5,7 @@
 #include <octomap_msgs/GetOctomap.h>
 #include <ros/callback_queue.h>
 #include <ros/service_server.h>
+#include <ros/steady_timer.h>
 #include <ros/subscriber.h>
 #include <sensor_msgs/PointCloud2.h>
 #include <std_msgs/Bool.h>
@@ -19,8 +20,10 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "map_publishers.h"
@@ -28,6 +31,7 @@
 #include "shared_mapper.h"
 #include "structure_from_wifi/config.h"
 #include "structure_from_wifi/judge.h"
+#include "structure_from_wifi/map_notes.h"
 #include "structure_from_wifi/mapper.h"
 
 namespace sfw {
@@ -59,6 +63,9 @@ class MappingNodelet : public nodelet::Nodelet {
   void receiveContact(const std_msgs::Bool& contact);
   void receiveContactPoints(const sensor_msgs::PointCloud2& cloud);
 
+  /// Warns, on a timer, as long as nothing comes.
+  void tellSilence();
+
   /// Answers the calls in a queue and takes steps in between until the nodelet ends.
   void run(ros::CallbackQueue& calls, void (MappingNodelet::*step)());
 
@@ -78,6 +85,8 @@ class MappingNodelet : public nodelet::Nodelet {
   enum class Judging { kWhatChanged, kAll };
   /// Makes a map, judges what it was made from, and publishes it unless a reset came in between.
   Mapping publishMap(Judging judging);
+  /// Logs what is wrong with a map, each fault when it is seen first.
+  void tellFaults(const Snapshot& snapshot);
   bool serveOctomap(bool binary, octomap_msgs::GetOctomap::Response& response);
   bool saveMap(const structure_from_wifi::SaveMap::Request& request,
                structure_from_wifi::SaveMap::Response& response);
@@ -103,7 +112,11 @@ class MappingNodelet : public nodelet::Nodelet {
   std::mutex publishing_;  // held while a map is published; a reset is one step to it
   ros::Time last_now_;
   ros::SteadyTime next_publication_;
-  Judge judge_;                       // in the mapping thread
+  Judge judge_;                                           // in the mapping thread, as is the next
+  std::set<std::pair<MapNote::Kind, std::string>> told_;  // faults, since the last reset
+  std::atomic<bool> forget_told_{false};
+  std::atomic<bool> received_{false};  // anything from a radio
+  ros::SteadyTimer silence_timer_;
   std::optional<Fix> mapped_by_;      // the last that tf said when a map was made
   std::atomic<bool> changed_{false};  // since the last map was made
   std::atomic<bool> stop_{false};

@@ -70,6 +70,7 @@ bool MappingNodelet::reset(std_srvs::Trigger::Response& response) {
   const std::lock_guard<std::mutex> lock(publishing_);
   mapper_->reset();
   queue_->clear();
+  forget_told_ = true;
   const std::shared_ptr<const Snapshot> empty = mapper_->corrected({}).mapper.infer(stop_);
   if (empty) {
     publishers_->publish(empty);
@@ -111,8 +112,8 @@ bool MappingNodelet::saveMap(const structure_from_wifi::SaveMap::Request& reques
       response.message = "nothing has been heard: the recording in " + directory + " stays";
       return true;
     }
-    for (const std::string& note : mapNotes(*mapping.snapshot)) {
-      NODELET_WARN_STREAM(note);
+    for (const MapNote& note : mapNotes(*mapping.snapshot)) {
+      NODELET_WARN_STREAM(note.text);
     }
     writeRecording(mapper.readings(), mapper.contacts(), *mapping.snapshot, directory);
     writeMapFiles(*mapping.snapshot, config_, directory);

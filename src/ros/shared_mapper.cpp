@@ -12,6 +12,11 @@ void SharedMapper::insert(const PlacedObservation& observation) {
   sfw::insert(observation, mapper_, anchor_);
 }
 
+void SharedMapper::leaveOut(const std::string& reason, std::size_t count) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  mapper_.leaveOut(reason, count);
+}
+
 void SharedMapper::reset() {
   const std::lock_guard<std::mutex> lock(mutex_);
   mapper_.reset();

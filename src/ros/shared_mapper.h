@@ -5,6 +5,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "observation_queue.h"
@@ -27,6 +28,9 @@ class SharedMapper {
 
   /// Forgets everything but the geometry.
   void reset();
+
+  /// Notes readings that never got as far as to be placed (Mapper::leaveOut).
+  void leaveOut(const std::string& reason, std::size_t count);
 
   /// What was left out, by reason.
   std::map<Insertion, std::size_t> rejectionCounts() const;
