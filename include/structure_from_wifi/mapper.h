@@ -107,8 +107,8 @@ struct Snapshot {
   StrayPoses stray = {};                             ///< left out of all of this
   PathMotion motion = {};                            ///< on the path
 
-  /// Readings of 0 dBm or nearly so, stronger than any radio is heard: a driver's "not known"?
-  std::size_t too_strong = 0;
+  /// Readings of 0 dBm, stronger than radios are heard: some drivers say so of those that are not.
+  std::size_t at_zero_dbm = 0;
 
   /// Readings that count for nothing since the same radio was heard stronger at the same stamp, but
   /// at another place: stamps were cut.

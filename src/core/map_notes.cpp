@@ -154,12 +154,18 @@ void addNoteOnSignals(const Snapshot& snapshot, Notes& notes) {
   }
 }
 
-void addNoteOnStrength(std::size_t too_strong, Notes& notes) {
-  if (too_strong > 0) {
+/// A few such readings do no harm; and a robot may stand beside a strong access point.
+void addNoteOnStrength(const Snapshot& snapshot, Notes& notes) {
+  constexpr double kMany = 0.01;  // of all readings
+  std::size_t readings = 0;
+  for (const AccessPointSummary& summary : snapshot.access_points) {
+    readings += summary.readings;
+  }
+  if (static_cast<double>(snapshot.at_zero_dbm) > kMany * static_cast<double>(readings)) {
     notes.push_back({MapNote::Kind::kSignals, "strength",
-                     counted(too_strong, "reading is", "readings are") +
-                         " of 0 dBm or nearly so, stronger than radios are heard: leave out what a "
-                         "driver says of radios that it does not hear"});
+                     counted(snapshot.at_zero_dbm, "reading is", "readings are") +
+                         " of 0 dBm, stronger than radios are heard: leave out what a driver says "
+                         "of radios that it does not hear"});
   }
 }
 
@@ -209,7 +215,7 @@ std::vector<MapNote> mapNotes(const Snapshot& snapshot) {
   Notes notes;
   addNotesOnDrive(snapshot, notes);
   addNoteOnSignals(snapshot, notes);
-  addNoteOnStrength(snapshot.too_strong, notes);
+  addNoteOnStrength(snapshot, notes);
   addNoteOnSilence(snapshot, notes);
   for (const AccessPointSummary& summary : snapshot.access_points) {
     addNoteOnPlace(summary, notes);

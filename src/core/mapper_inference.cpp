@@ -68,8 +68,8 @@ PathMotion motionOf(const std::vector<PathPose>& path) {
   return motion;
 }
 
-std::size_t countTooStrong(const std::vector<Reading>& readings) {
-  constexpr double kStrongest = -3.0;  // [dBm]
+std::size_t countAtZero(const std::vector<Reading>& readings) {
+  constexpr double kStrongest = -0.5;  // [dBm], half a step of most radios below 0
   return static_cast<std::size_t>(
       std::count_if(readings.begin(), readings.end(),
                     [](const Reading& reading) { return reading.rssi_dbm > kStrongest; }));
@@ -177,7 +177,7 @@ std::shared_ptr<const Snapshot> Mapper::infer(Hearing hearing,
       BeliefMap(geometryOf(extentOf(known)), config_.belief), known.path, {}, rejections_};
   snapshot.stray = known.stray;
   snapshot.motion = motionOf(snapshot.path);
-  snapshot.too_strong = countTooStrong(known.readings);
+  snapshot.at_zero_dbm = countAtZero(known.readings);
   snapshot.stamped_alike = known.stamped_alike;
   std::vector<Series> heard = seriesOf(known.readings);
   snapshot.access_points = placed(heard, stop);

@@ -1,9 +1,11 @@
 // What the mapping nodelet tells of access points: given rightly, given wrongly, not given.
 
 #include <gtest/gtest.h>
+#include <rosgraph_msgs/Log.h>
 #include <structure_from_wifi/AccessPoints.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -32,16 +34,27 @@ class AccessPointsTest : public NodeletWorld {
     subscribers_.push_back(node.subscribe<visualization_msgs::MarkerArray>(
         name_ + "/markers", 10,
         [this](const visualization_msgs::MarkerArrayConstPtr& markers) { markers_ = markers; }));
+    subscribers_.push_back(node.subscribe<rosgraph_msgs::Log>(
+        "/rosout", 100, [this](const rosgraph_msgs::LogConstPtr& log) {
+          if (log->level == rosgraph_msgs::Log::WARN) {
+            logged_.push_back(log->msg);
+          }
+        }));
     load();
   }
 
   void drive(int steps) {
+    send(0, steps);
+    EXPECT_EQ(rows(3U * static_cast<unsigned>(steps)).size(), 3U * static_cast<unsigned>(steps));
+  }
+
+  void send(int first, int last) {
     Random random(1, 2, 3);
     const auto heardFrom = [&](const Position& place, const Position& access_point) {
       const double distance = std::max(0.3, (place - access_point).norm());
       return static_cast<float>(-40.0 - 20.0 * std::log10(distance) + random.normal());
     };
-    for (int i = 0; i < steps; ++i) {
+    for (int i = first; i < last; ++i) {
       const int lane = i / 80;
       const Position place(0.1 * (lane % 2 == 0 ? i % 80 : 80 - i % 80), lane);
       sendPose(0.1 * i, place.x(), place.y());
@@ -51,7 +64,13 @@ class AccessPointsTest : public NodeletWorld {
       ros::Time::setNow(at(0.1 * i));
       ros::WallDuration(0.001).sleep();
     }
-    EXPECT_EQ(rows(3U * static_cast<unsigned>(steps)).size(), 3U * static_cast<unsigned>(steps));
+  }
+
+  /// Warnings that were logged with a text in them.
+  std::size_t warnings(const std::string& text) const {
+    return static_cast<std::size_t>(std::count_if(
+        logged_.begin(), logged_.end(),
+        [&](const std::string& message) { return message.find(text) != std::string::npos; }));
   }
 
   bool isJudged() {
@@ -70,6 +89,7 @@ class AccessPointsTest : public NodeletWorld {
   }
 
   std::vector<ros::Subscriber> subscribers_;
+  std::vector<std::string> logged_;
   structure_from_wifi::AccessPointsConstPtr told_;
   visualization_msgs::MarkerArrayConstPtr markers_;
 };
@@ -98,6 +118,23 @@ TEST_F(AccessPointsTest, TellsWhichPositionsAgreeWithWhatWasHeard) {
   const std::string report = savedFile("report.json");
   EXPECT_NE(report.find("\"suspect\": true"), std::string::npos);
   EXPECT_NE(report.find("\"suspect\": false"), std::string::npos);
+}
+
+TEST_F(AccessPointsTest, WarnsOfAWrongPositionWhileTheRobotDrives) {
+  const std::string warning = std::string(kFar) + ": its readings fit a place";
+  constexpr int kMost = kSteps - 80;
+  send(0, kMost);
+  ASSERT_TRUE(spinUntil([&] { return warnings(warning) > 0; }, 30.0)) << "nobody saves the map";
+  told_.reset();
+  send(kMost, kSteps);
+  ASSERT_TRUE(spinUntil([&] { return told_ != nullptr; }, 30.0));
+  EXPECT_EQ(warnings(warning), 1U) << "once is enough";
+  EXPECT_EQ(warnings(std::string(kNear) + ": its readings fit a place"), 0U);
+}
+
+TEST_F(AccessPointsTest, WarnsAsLongAsNothingIsHeard) {
+  EXPECT_TRUE(spinUntil(
+      [&] { return warnings("Nothing was heard yet on " + name_ + "/wifi_scan") > 0; }, 30.0));
 }
 
 TEST_F(AccessPointsTest, ShowsWhatIsEstimatedAndWhatIsSuspect) {
