@@ -9,7 +9,7 @@ namespace sfw {
 namespace {
 
 constexpr double kFaster = 5.0;        // times the usual speed
-constexpr double kSlow = 1.0;          // [m/s] that any robot may reach
+constexpr double kSlow = 2.0;          // [m/s] that any robot may reach
 constexpr double kJump = 2.0;          // [m] that a correction of the path may move it by at once
 constexpr double kLongestLost = 10.0;  // [s]
 

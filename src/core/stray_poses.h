@@ -11,7 +11,7 @@ namespace sfw {
 double usualSpeed(const std::vector<PathPose>& path);
 
 /// Whether the robot can have driven from one pose to another: at five times its usual speed [m/s],
-/// or at 1 m/s if that is slower, but for 2 m that a correction of the path may move it by at once.
+/// or at 2 m/s if that is slower, but for 2 m that a correction of the path may move it by at once.
 bool isReachable(const PathPose& from, const PathPose& to, double usual_speed);
 
 /// Poses at which the robot cannot have been: its localisation lost it for a moment.
