@@ -7,6 +7,7 @@ Usage: command_line_test.py RESULT.xml SFW
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import unittest
@@ -103,6 +104,8 @@ class GoodInput(CommandLine):
             self.assertIn("line %d: " % line, run.stderr)
             self.assertIn(words, run.stderr)
         self.assertIn("faulty.csv", run.stderr)
+        left_out = json.loads((self.output / "report.json").read_text())["left_out"]["by_reason"]
+        self.assertEqual(sum(left_out.values()), len(faults))
         self.good(self.map(output=self.folder / "again"))
         self.assertEqual(self.bytes_of(self.output)["map.pgm"],
                          self.bytes_of(self.folder / "again")["map.pgm"])
@@ -237,6 +240,30 @@ class BadOutput(CommandLine):
         self.assertEqual(run.returncode, 1)
         self.assertIn(str(self.output), run.stderr)
         self.assertEqual(list(self.output.iterdir()), [])
+
+    def test_a_model_that_cannot_be_written_is_told_before_it_is_fitted(self):
+        run = self.sfw("fit", "--drives", 10, "--cells", 10, "--output", "/proc/sfw_fit/model.yaml")
+        self.bad(run, "/proc/sfw_fit")
+        self.assertNotIn("done", run.stderr)
+
+    def test_a_picture_that_cannot_be_written_costs_no_figures(self):
+        self.good(self.map())
+        run = self.sfw("evaluate", "--map", self.output / "map.yaml", "--truth",
+                       self.output / "map.yaml", "--readings", self.readings, "--json",
+                       "--picture", "/proc/sfw.png")
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("/proc/sfw.png", run.stderr)
+        self.assertEqual(json.loads(run.stdout)["map"]["free_precision"], 1.0)
+
+    def test_a_map_of_another_place_is_told(self):
+        self.good(self.map())
+        yaml = (self.output / "map.yaml").read_text()
+        far = self.output / "far.yaml"
+        far.write_text(re.sub(r"origin: \[[^,]*", "origin: [900", yaml))
+        run = self.good(self.sfw("evaluate", "--map", far, "--truth", self.output / "map.yaml",
+                                 "--readings", self.readings))
+        self.assertIn("far.yaml", run.stderr)
+        self.assertIn("same frame?", run.stderr)
 
     def test_a_full_standard_output(self):
         self.good(self.map())

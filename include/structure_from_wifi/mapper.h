@@ -58,6 +58,9 @@ struct AccessPointSummary {
   std::optional<AccessPointFit> fit = {};
 
   double rssi_deviation_db = 0.0;  ///< standard deviation of its readings
+
+  /// Readings of 0 dBm, stronger than radios are heard: some drivers say so of those that are not.
+  std::size_t at_zero_dbm = 0;
 };
 
 /// Whether an access point has a position, given or estimated.
@@ -76,8 +79,8 @@ struct TomographySummary {
 /// What was given to a mapper and left out of the map.
 struct Rejections {
   std::map<Insertion, std::size_t> count;
-  std::map<Bssid, std::size_t> unknown_access_points;  ///< readings of each; the first 1000 heard
-  std::map<std::string, std::size_t> before = {};      ///< never came so far, by reason (leaveOut)
+  std::map<Bssid, std::size_t> unknown_access_points;    ///< readings of each; the first 1000 heard
+  std::map<std::string, std::size_t> not_inserted = {};  ///< by reason (Mapper::leaveOut)
 };
 
 /// Poses at which the robot cannot have been, since it would have had to jump there and back. They
@@ -107,9 +110,6 @@ struct Snapshot {
   StrayPoses stray = {};                             ///< left out of all of this
   PathMotion motion = {};                            ///< on the path
 
-  /// Readings of 0 dBm, stronger than radios are heard: some drivers say so of those that are not.
-  std::size_t at_zero_dbm = 0;
-
   /// Readings that count for nothing since the same radio was heard stronger at the same stamp, but
   /// at another place: stamps were cut.
   std::size_t stamped_alike = 0;
@@ -136,7 +136,7 @@ class Mapper {
   /// Notes readings that could not even be inserted, for the report.
   /// @param reason  what was wrong with them, in words
   void leaveOut(const std::string& reason, std::size_t count) {
-    rejections_.before[reason] += count;
+    rejections_.not_inserted[reason] += count;
   }
 
   /// Moves all readings and contacts as a localisation corrected the past. What the map cannot

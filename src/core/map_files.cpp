@@ -119,7 +119,7 @@ ordered_json describe(const Rejections& rejections) {
   for (const auto& [insertion, count] : rejections.count) {
     json["by_reason"][toString(insertion)] = count;
   }
-  for (const auto& [reason, count] : rejections.before) {
+  for (const auto& [reason, count] : rejections.not_inserted) {
     json["by_reason"][reason] = json["by_reason"].value(reason, std::size_t{0}) + count;
   }
   for (const auto& [bssid, count] : rejections.unknown_access_points) {
@@ -170,6 +170,19 @@ std::string exactText(double value) {
     std::snprintf(text, sizeof text, "%.*g", std::numeric_limits<double>::max_digits10, value);
   }
   return text;
+}
+
+/// Removes files that a map may have and this one has not: they are of an earlier one.
+void removeOthers(const std::vector<std::pair<std::string, std::string>>& files,
+                  const std::string& directory) {
+  for (const char* name : {"map.bt", "map.ot", "wall_loss.pgm", "wall_loss.yaml"}) {
+    const std::string path = directory + "/" + name;
+    if (std::none_of(files.begin(), files.end(),
+                     [&](const auto& file) { return file.first == path; })) {
+      std::error_code not_there;
+      std::filesystem::remove(path, not_there);
+    }
+  }
 }
 
 }  // namespace
@@ -244,23 +257,6 @@ std::string accessPointsYaml(const std::vector<AccessPoint>& access_points) {
   yaml << YAML::EndSeq << YAML::EndMap;
   return std::string(yaml.c_str()) + "\n";
 }
-
-namespace {
-
-/// Removes files that a map may have and this one has not: they are of an earlier one.
-void removeOthers(const std::vector<std::pair<std::string, std::string>>& files,
-                  const std::string& directory) {
-  for (const char* name : {"map.bt", "map.ot", "wall_loss.pgm", "wall_loss.yaml"}) {
-    const std::string path = directory + "/" + name;
-    if (std::none_of(files.begin(), files.end(),
-                     [&](const auto& file) { return file.first == path; })) {
-      std::error_code not_there;
-      std::filesystem::remove(path, not_there);
-    }
-  }
-}
-
-}  // namespace
 
 std::string reportJson(const Snapshot& snapshot, const Config& config) {
   double length_m = 0.0;

@@ -158,12 +158,14 @@ void addNoteOnSignals(const Snapshot& snapshot, Notes& notes) {
 void addNoteOnStrength(const Snapshot& snapshot, Notes& notes) {
   constexpr double kMany = 0.01;  // of all readings
   std::size_t readings = 0;
+  std::size_t at_zero = 0;
   for (const AccessPointSummary& summary : snapshot.access_points) {
     readings += summary.readings;
+    at_zero += summary.at_zero_dbm;
   }
-  if (static_cast<double>(snapshot.at_zero_dbm) > kMany * static_cast<double>(readings)) {
+  if (static_cast<double>(at_zero) > kMany * static_cast<double>(readings)) {
     notes.push_back({MapNote::Kind::kSignals, "strength",
-                     counted(snapshot.at_zero_dbm, "reading is", "readings are") +
+                     counted(at_zero, "reading is", "readings are") +
                          " of 0 dBm, stronger than radios are heard: leave out what a driver says "
                          "of radios that it does not hear"});
   }

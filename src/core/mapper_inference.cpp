@@ -68,11 +68,10 @@ PathMotion motionOf(const std::vector<PathPose>& path) {
   return motion;
 }
 
-std::size_t countAtZero(const std::vector<Reading>& readings) {
+std::size_t countAtZero(const std::vector<double>& rssi_dbm) {
   constexpr double kStrongest = -0.5;  // [dBm], half a step of most radios below 0
-  return static_cast<std::size_t>(
-      std::count_if(readings.begin(), readings.end(),
-                    [](const Reading& reading) { return reading.rssi_dbm > kStrongest; }));
+  return static_cast<std::size_t>(std::count_if(rssi_dbm.begin(), rssi_dbm.end(),
+                                                [](double rssi) { return rssi > kStrongest; }));
 }
 
 /// The pose of a path that is nearest in time.
@@ -177,7 +176,6 @@ std::shared_ptr<const Snapshot> Mapper::infer(Hearing hearing,
       BeliefMap(geometryOf(extentOf(known)), config_.belief), known.path, {}, rejections_};
   snapshot.stray = known.stray;
   snapshot.motion = motionOf(snapshot.path);
-  snapshot.at_zero_dbm = countAtZero(known.readings);
   snapshot.stamped_alike = known.stamped_alike;
   std::vector<Series> heard = seriesOf(known.readings);
   snapshot.access_points = placed(heard, stop);
@@ -204,6 +202,7 @@ std::vector<AccessPointSummary> Mapper::placed(std::vector<Series>& heard,
   for (std::size_t i = 0; i < heard.size(); ++i) {
     AccessPointSummary summary{access_points_[i], heard[i].poses.size(), {}};
     summary.rssi_deviation_db = deviationOf(heard[i].rssi_dbm);
+    summary.at_zero_dbm = countAtZero(heard[i].rssi_dbm);
     AccessPoint& access_point = summary.access_point;
     if (!access_point.position_known && !stop) {
       summary.estimate = estimateAccessPoint(samplesOf(heard[i]), access_point.height_m);

@@ -127,6 +127,15 @@ TEST(MapNotes, TellThatNothingHeardHasAPlace) {
   EXPECT_EQ(notes[0].rfind("no access point that was heard has a place", 0), 0U) << notes[0];
 }
 
+TEST(MapNotes, AreSilentAboutWhatStrangersAreHeardWith) {
+  Mapper mapper(test::rawConfig(), {test::accessPoint(1, 2.0, 1.5)});
+  for (int i = 0; i < 400; ++i) {
+    mapper.insert(test::reading(i, lanes(i).x(), lanes(i).y(), fading(lanes(i))));
+    mapper.insert(test::reading(i, lanes(i).x(), lanes(i).y(), 0.0, 2));
+  }
+  EXPECT_EQ(textsOf(*mapper.infer()), std::vector<std::string>());
+}
+
 TEST(MapNotes, AreSilentAboutAFewStrongReadings) {
   int reading = 0;
   const auto seldom_zero = [&](const Position& at) {
