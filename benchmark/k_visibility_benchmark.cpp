@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "structure_from_wifi/k_visibility.h"
-#include "structure_from_wifi/plan_generator.h"
-#include "structure_from_wifi/plan_io.h"
-#include "structure_from_wifi/random.h"
-#include "structure_from_wifi/wall_crossings.h"
+#include "base/random.h"
+#include "k_visibility/k_visibility.h"
+#include "simulation/building/floor_plan_io.h"
+#include "simulation/building/plan_generator.h"
+#include "simulation/building/wall_crossings.h"
 
 namespace sfw {
 namespace {

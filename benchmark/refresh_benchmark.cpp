@@ -20,14 +20,14 @@
 #include <string_view>
 #include <vector>
 
-#include "markers.h"
-#include "message_conversion.h"
+#include "belief/fused_belief.h"
+#include "ros/conversion/markers.h"
+#include "ros/conversion/message_conversion.h"
+#include "simulation/building/plan_generator.h"
+#include "simulation/robot/route_planner.h"
+#include "simulation/scenario.h"
 #include "structure_from_wifi/mapper.h"
 #include "structure_from_wifi/octomap_export.h"
-#include "structure_from_wifi/plan_generator.h"
-#include "structure_from_wifi/route_planner.h"
-#include "structure_from_wifi/scenario.h"
-#include "structure_from_wifi/tomography.h"
 
 namespace sfw {
 namespace {

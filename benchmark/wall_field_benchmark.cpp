@@ -15,14 +15,14 @@
 #include <utility>
 #include <vector>
 
-#include "structure_from_wifi/config_reader.h"
-#include "structure_from_wifi/noise_level.h"
-#include "structure_from_wifi/plan_generator.h"
-#include "structure_from_wifi/radio_model.h"
-#include "structure_from_wifi/reading_io.h"
-#include "structure_from_wifi/route_planner.h"
-#include "structure_from_wifi/scenario.h"
-#include "structure_from_wifi/wall_field.h"
+#include "simulation/building/plan_generator.h"
+#include "simulation/radio/noise_level.h"
+#include "simulation/radio/radio_model.h"
+#include "simulation/robot/route_planner.h"
+#include "simulation/scenario.h"
+#include "structure_from_wifi/readings_io.h"
+#include "structure_from_wifi/settings_io.h"
+#include "tomography/wall_field.h"
 
 namespace sfw {
 namespace {

@@ -2,7 +2,7 @@
 # The core works without ROS: its library needs none of ROS's libraries or symbols, directly or
 # through another, and its sources include none of ROS's headers.
 #
-# Usage: core_links_no_ros.sh REPOSITORY CORE_LIBRARY ROS_LIBRARY
+# Usage: core_links_no_ros.sh REPOSITORY MAPPING_LIBRARY ROS_LIBRARY
 # ROS_LIBRARY, one that does need ROS, proves that the checks can tell.
 set -euo pipefail
 repository=$1 core=$2 ros_library=$3
@@ -35,13 +35,17 @@ found=$(used_ros_symbols "$core")
 [[ -z $found ]] || report "the core uses ROS symbols" "$found"
 
 cd "$repository"
-found=$(grep -rnE "^[[:space:]]*#[[:space:]]*include[[:space:]]*[<\"]($ros_names)/" include src/core || true)
+rooms=(include)
+for room in src/*/; do
+  case $room in src/ros/ | src/cli/) ;; *) rooms+=("$room") ;; esac
+done
+found=$(grep -rnE "^[[:space:]]*#[[:space:]]*include[[:space:]]*[<\"]($ros_names)/" "${rooms[@]}" || true)
 [[ -z $found ]] || report "the core includes ROS headers" "$found"
 
 # Generated message headers share the package's folder, but not its source tree.
 while IFS=: read -r file line text; do
   header=$(sed -E 's/.*[<"](.*)[>"].*/\1/' <<<"$text")
   [[ -f include/$header ]] || report "not a header of the core" "$file:$line: $text"
-done < <(grep -rnE '#[[:space:]]*include[[:space:]]*[<"]structure_from_wifi/' include src/core)
+done < <(grep -rnE '#[[:space:]]*include[[:space:]]*[<"]structure_from_wifi/' "${rooms[@]}")
 
 [[ $failures == 0 ]]

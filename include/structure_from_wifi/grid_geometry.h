@@ -99,6 +99,15 @@ struct Grid {
   std::vector<T> cells;
 };
 
+/// Column and row of a grid's first cell on the lattice through the map frame's origin.
+Cell latticeCell(const GridGeometry& geometry);
+
+/// Farthest from the map frame's origin that OctoMap's 16-bit keys reach [cells].
+constexpr std::int64_t kOctomapReach = 32768;
+
+/// Whether OctoMap can hold a grid: kOctomapReach voxels from the frame's origin each way.
+bool octomapReaches(const GridGeometry& geometry);
+
 /// What a map says of a cell.
 enum class CellState : std::uint8_t { kUnknown, kFree, kOccupied };
 

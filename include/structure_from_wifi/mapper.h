@@ -8,15 +8,16 @@
 #include <string>
 #include <vector>
 
-#include "structure_from_wifi/access_point_estimation.h"
+#include "access_points/access_point_estimation.h"
+#include "belief/belief_model.h"
+#include "k_visibility/sparse_inverse.h"
+#include "k_visibility/wall_count_model.h"
+#include "path/building_frame.h"
+#include "path/path.h"
+#include "radio/drift.h"
 #include "structure_from_wifi/belief_map.h"
-#include "structure_from_wifi/belief_model.h"
-#include "structure_from_wifi/building_frame.h"
 #include "structure_from_wifi/config.h"
-#include "structure_from_wifi/drift.h"
-#include "structure_from_wifi/inference.h"
-#include "structure_from_wifi/odometry_anchor.h"
-#include "structure_from_wifi/rssi.h"
+#include "structure_from_wifi/path_correction.h"
 #include "structure_from_wifi/types.h"
 
 namespace sfw {
@@ -34,15 +35,6 @@ enum class Insertion {
 
 /// A short name for counters and messages.
 const char* toString(Insertion insertion);
-
-/// A pose of the path for display.
-struct PathPose {
-  std::int64_t stamp_ns = 0;
-  Position antenna_in_map = Position::Zero();  ///< [m]
-  int walls = kNothingHeard;                   ///< fewest walls to any access point heard here
-
-  static constexpr int kNothingHeard = -1;
-};
 
 /// What the readings of one access point came to.
 struct AccessPointSummary {

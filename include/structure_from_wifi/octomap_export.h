@@ -12,9 +12,6 @@ class OcTree;
 
 namespace sfw {
 
-/// Whether OctoMap reaches over a grid: 32768 voxels from the frame's origin each way.
-bool octomapReaches(const GridGeometry& geometry);
-
 /// The map as voxels: occupied cells from the floor to octomap/wall_height, free cells from the
 /// floor to octomap/robot_height, nothing where the map is unknown.
 ///

@@ -4,31 +4,13 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <vector>
+
+#include "structure_from_wifi/bssid.h"
 
 namespace sfw {
 
 /// A point in the map frame [m].
 using Position = Eigen::Vector2d;
-
-/// Hardware address of an access point's radio: the key that readings and access points share.
-class Bssid {
- public:
-  /// Reads six pairs of hexadecimal digits joined by ':' or '-', in either case.
-  /// @return nothing if the text is malformed or all zero (a radio that is not associated).
-  static std::optional<Bssid> parse(std::string_view text);
-
-  /// The canonical form, lower case with colons.
-  std::string str() const;
-
-  friend bool operator==(Bssid a, Bssid b) { return a.value_ == b.value_; }
-  friend bool operator!=(Bssid a, Bssid b) { return a.value_ != b.value_; }
-  friend bool operator<(Bssid a, Bssid b) { return a.value_ < b.value_; }
-
- private:
-  std::uint64_t value_ = 0;
-};
 
 /// One signal strength heard at one place.
 struct Reading {

@@ -10,16 +10,16 @@
 #include <optional>
 #include <thread>
 
-#include "commands.h"
-#include "plan_files.h"
-#include "progress.h"
-#include "structure_from_wifi/atomic_file.h"
-#include "structure_from_wifi/belief_training.h"
-#include "structure_from_wifi/config_reader.h"
+#include "base/random.h"
+#include "cli/commands.h"
+#include "cli/plan_files.h"
+#include "cli/progress.h"
+#include "files/atomic_file.h"
+#include "simulation/building/floor_plan_io.h"
+#include "simulation/building/plan_generator.h"
 #include "structure_from_wifi/input_error.h"
-#include "structure_from_wifi/plan_generator.h"
-#include "structure_from_wifi/plan_io.h"
-#include "structure_from_wifi/random.h"
+#include "structure_from_wifi/settings_io.h"
+#include "training/belief_training.h"
 
 namespace sfw {
 namespace {

@@ -2,7 +2,7 @@
 #include <iostream>
 #include <new>
 
-#include "commands.h"
+#include "cli/commands.h"
 
 int main(int argc, char** argv) {
   CLI::App app{"Maps a building from odometry and WiFi signal strength.", "sfw"};

@@ -6,15 +6,15 @@
 #include <memory>
 #include <sstream>
 
-#include "bag_reader.h"
-#include "commands.h"
-#include "structure_from_wifi/config_reader.h"
+#include "cli/commands.h"
+#include "cli/warnings.h"
+#include "ros/bags/bag_reader.h"
+#include "structure_from_wifi/data_checks.h"
 #include "structure_from_wifi/input_error.h"
-#include "structure_from_wifi/judge.h"
 #include "structure_from_wifi/map_files.h"
 #include "structure_from_wifi/map_notes.h"
 #include "structure_from_wifi/mapper.h"
-#include "warnings.h"
+#include "structure_from_wifi/settings_io.h"
 
 namespace sfw {
 namespace {

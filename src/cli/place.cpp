@@ -2,10 +2,10 @@
 #include <memory>
 #include <string>
 
-#include "commands.h"
-#include "plan_options.h"
+#include "cli/commands.h"
+#include "cli/plan_options.h"
+#include "simulation/scenario.h"
 #include "structure_from_wifi/map_files.h"
-#include "structure_from_wifi/scenario.h"
 
 namespace sfw {
 namespace {

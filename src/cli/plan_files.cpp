@@ -1,4 +1,4 @@
-#include "plan_files.h"
+#include "cli/plan_files.h"
 
 #include <algorithm>
 #include <filesystem>

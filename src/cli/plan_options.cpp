@@ -1,4 +1,4 @@
-#include "plan_options.h"
+#include "cli/plan_options.h"
 
 #include <sstream>
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <string>
 
-#include "structure_from_wifi/plan_generator.h"
-#include "structure_from_wifi/plan_io.h"
+#include "simulation/building/floor_plan_io.h"
+#include "simulation/building/plan_generator.h"
 #include "structure_from_wifi/types.h"
 
 namespace sfw {

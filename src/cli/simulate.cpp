@@ -3,13 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "bag_writer.h"
-#include "commands.h"
-#include "plan_options.h"
-#include "structure_from_wifi/atomic_file.h"
+#include "cli/commands.h"
+#include "cli/plan_options.h"
+#include "files/atomic_file.h"
+#include "ros/bags/bag_writer.h"
+#include "simulation/scenario.h"
 #include "structure_from_wifi/input_error.h"
 #include "structure_from_wifi/map_files.h"
-#include "structure_from_wifi/scenario.h"
 
 namespace sfw {
 namespace {

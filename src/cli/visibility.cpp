@@ -2,14 +2,14 @@
 #include <iostream>
 #include <memory>
 
-#include "commands.h"
-#include "plan_options.h"
-#include "structure_from_wifi/atomic_file.h"
+#include "cli/commands.h"
+#include "cli/plan_options.h"
+#include "files/atomic_file.h"
+#include "k_visibility/k_visibility.h"
+#include "output/k_map_io.h"
+#include "output/map_picture.h"
 #include "structure_from_wifi/input_error.h"
-#include "structure_from_wifi/k_map_io.h"
-#include "structure_from_wifi/k_visibility.h"
 #include "structure_from_wifi/map_files.h"
-#include "structure_from_wifi/map_picture.h"
 
 namespace sfw {
 namespace {

@@ -1,4 +1,4 @@
-#include "warnings.h"
+#include "cli/warnings.h"
 
 #include <iostream>
 

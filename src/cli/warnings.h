@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "structure_from_wifi/reading_io.h"
+#include "structure_from_wifi/readings_io.h"
 
 namespace sfw {
 

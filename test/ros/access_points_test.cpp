@@ -9,8 +9,8 @@
 #include <cmath>
 #include <map>
 
+#include "base/random.h"
 #include "mapping_nodelet_world.h"
-#include "structure_from_wifi/random.h"
 #include "structure_from_wifi/types.h"
 
 namespace sfw {

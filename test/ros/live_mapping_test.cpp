@@ -8,8 +8,8 @@
 #include <cmath>
 #include <thread>
 
-#include "../../src/ros/shared_mapper.h"
 #include "mapping_nodelet_world.h"
+#include "ros/mapping/shared_mapper.h"
 
 namespace sfw {
 namespace {

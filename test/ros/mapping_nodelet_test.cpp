@@ -13,8 +13,8 @@
 #include <limits>
 #include <thread>
 
-#include "../../src/ros/observation.h"
 #include "mapping_nodelet_world.h"
+#include "ros/conversion/observation.h"
 
 namespace sfw {
 namespace {

@@ -1,12 +1,12 @@
-#include "../../src/ros/parameters.h"
+#include "ros/conversion/parameters.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "structure_from_wifi/config_reader.h"
 #include "structure_from_wifi/input_error.h"
+#include "structure_from_wifi/settings_io.h"
 
 namespace sfw {
 namespace {

@@ -1,4 +1,4 @@
-#include "../../src/ros/simulator_config.h"
+#include "ros/simulator/simulator_config.h"
 
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
@@ -7,8 +7,8 @@
 #include <iterator>
 #include <regex>
 
+#include "simulation/radio/noise_level.h"
 #include "structure_from_wifi/input_error.h"
-#include "structure_from_wifi/noise_level.h"
 
 namespace sfw {
 namespace {

@@ -1,4 +1,4 @@
-#include "../../src/ros/simulator_messages.h"
+#include "ros/simulator/simulator_messages.h"
 
 #include <gtest/gtest.h>
 

@@ -15,8 +15,8 @@
 #include <map>
 #include <memory>
 
-#include "structure_from_wifi/map_server.h"
-#include "structure_from_wifi/reading_io.h"
+#include "files/map_server.h"
+#include "structure_from_wifi/readings_io.h"
 
 namespace sfw {
 namespace {

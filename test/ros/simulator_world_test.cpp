@@ -1,15 +1,15 @@
-#include "../../src/ros/simulator_world.h"
+#include "ros/simulator/simulator_world.h"
 
 #include <gtest/gtest.h>
 
-#include "../core/temporary_folder.h"
+#include "simulation/building/plan_generator.h"
+#include "simulation/radio/noise_level.h"
+#include "simulation/robot/route.h"
+#include "simulation/robot/route_planner.h"
+#include "simulation/scenario.h"
 #include "structure_from_wifi/input_error.h"
-#include "structure_from_wifi/noise_level.h"
-#include "structure_from_wifi/plan_generator.h"
-#include "structure_from_wifi/reading_io.h"
-#include "structure_from_wifi/route_planner.h"
-#include "structure_from_wifi/scenario.h"
-#include "structure_from_wifi/simulation.h"
+#include "structure_from_wifi/readings_io.h"
+#include "support/temporary_folder.h"
 
 namespace sfw {
 namespace {

@@ -1,0 +1,95 @@
+#include "cli/bench/bench_store.h"
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "files/atomic_file.h"
+
+namespace sfw {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char kEnding[] = ".json";
+
+template <class T>
+std::string bytesOf(const T* data, std::size_t count) {
+  return {reinterpret_cast<const char*>(data), count * sizeof(T)};
+}
+
+}  // namespace
+
+std::string bytesOf(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+std::uint64_t hashOf(const std::string& bytes, std::uint64_t seed) {
+  constexpr std::uint64_t kPrime = 0x100000001b3ULL;
+  for (const char byte : bytes) {
+    seed = (seed ^ static_cast<unsigned char>(byte)) * kPrime;
+  }
+  return seed;
+}
+
+std::uint64_t hashOf(const Plan& plan) {
+  const GridGeometry& g = plan.geometry;
+  const std::array<double, 3> lengths{g.resolution(), g.origin().x(), g.origin().y()};
+  const std::array<std::int64_t, 2> sizes{g.width(), g.height()};
+  const std::uint64_t of_geometry =
+      hashOf(bytesOf(sizes.data(), sizes.size()), hashOf(bytesOf(lengths.data(), lengths.size())));
+  return hashOf(bytesOf(plan.cells.data(), plan.cells.size()), of_geometry);
+}
+
+std::uint64_t hashOfProgram() {
+  std::set<std::string> libraries;
+  std::ifstream maps("/proc/self/maps");
+  for (std::string line; std::getline(maps, line);) {
+    const std::size_t path = line.find('/');
+    if (path != std::string::npos && line.find("libstructure_from_wifi") != std::string::npos) {
+      libraries.insert(line.substr(path));
+    }
+  }
+  std::uint64_t hash = hashOf(bytesOf("/proc/self/exe"));
+  for (const std::string& library : libraries) {
+    hash = hashOf(bytesOf(library), hash);
+  }
+  return hash;
+}
+
+BenchStore::BenchStore(const std::string& directory) : directory_(directory) {
+  makeDirectories(directory);
+  for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
+    if (entry.path().extension() != kEnding &&
+        entry.path().stem().extension() == kEnding) {  // 0123.json.XXXXXX
+      fs::remove(entry.path());
+    }
+  }
+}
+
+std::string BenchStore::fileOf(const std::string& key) const {
+  char name[17];
+  std::snprintf(name, sizeof name, "%016llx", static_cast<unsigned long long>(hashOf(key)));
+  return directory_ + "/" + name + kEnding;
+}
+
+std::optional<std::string> BenchStore::find(const std::string& key) const {
+  const nlohmann::json stored = nlohmann::json::parse(bytesOf(fileOf(key)), nullptr, false);
+  if (!stored.is_object() || !stored.contains("key") || stored["key"] != key ||
+      !stored.contains("result") || !stored["result"].is_string()) {
+    return std::nullopt;
+  }
+  return stored["result"].get<std::string>();
+}
+
+void BenchStore::save(const std::string& key, const std::string& result) const {
+  nlohmann::ordered_json stored{{"key", key}, {"result", result}};
+  writeAtomically(fileOf(key), stored.dump(1) + "\n");
+}
+
+}  // namespace sfw

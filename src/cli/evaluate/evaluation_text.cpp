@@ -1,0 +1,105 @@
+#include "cli/evaluate/evaluation_text.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <map>
+#include <optional>
+
+#include "cli/evaluate/figures.h"
+
+namespace sfw {
+namespace {
+
+constexpr int kTextWidth = 48;
+constexpr int kWidth = 12;  // of a column
+
+void printValue(std::ostream& out, std::optional<double> value, int width = kWidth) {
+  if (value) {
+    out << std::setw(width) << std::fixed << std::setprecision(3) << *value;
+  } else {
+    out << std::setw(width) << '-';
+  }
+}
+
+/// A column of the table: the figures of one map.
+struct Column {
+  std::string title;
+  int width = kWidth;
+  std::vector<std::optional<double>> values;
+
+  Column(const std::string& of, const MapFigures& figures)
+      : title(of), width(std::max(kWidth, static_cast<int>(of.size()) + 2)) {
+    forEachFigure(figures, [&](const char*, const char*, std::optional<double> value) {
+      values.push_back(value);
+    });
+  }
+};
+
+}  // namespace
+
+void printTable(std::ostream& out, const Evaluation& evaluation,
+                const std::vector<JudgedMap>& beside) {
+  out << "truth: " << std::fixed << std::setprecision(2) << evaluation.free_m2 << " m2 free, "
+      << evaluation.wall_cells << " wall cells";
+  if (evaluation.observed_wall_cells) {
+    out << ", " << *evaluation.observed_wall_cells << " of them observed";
+  }
+  std::vector<Column> columns{{"map", evaluation.map}};
+  for (const JudgedMap& judged : beside) {
+    columns.emplace_back(judged.title, judged.figures);
+  }
+  columns.emplace_back("path only", evaluation.path_only);
+  out << "\n\n" << std::left << std::setw(kTextWidth) << "figure" << std::right;
+  for (const Column& column : columns) {
+    out << std::setw(column.width) << column.title;
+  }
+  out << '\n';
+  std::size_t row = 0;
+  forEachFigure(evaluation.map, [&](const char*, const char* text, std::optional<double>) {
+    out << std::left << std::setw(kTextWidth) << text << std::right;
+    for (const Column& column : columns) {
+      printValue(out, column.values[row], column.width);
+    }
+    out << '\n';
+    ++row;
+  });
+}
+
+void printControls(std::ostream& out, const MapFigures& map, const ControlFigures& controls) {
+  std::map<std::string, Statistics> shifted;
+  for (const MapFigures& one : controls.shifted_radio) {
+    forEachFigure(one, [&](const char* key, const char*, std::optional<double> value) {
+      shifted[key].add(value);
+    });
+  }
+  std::map<std::string, std::optional<double>> silent;
+  forEachFigure(controls.no_radio, [&](const char* key, const char*, std::optional<double> value) {
+    silent[key] = value;
+  });
+  out << "\n"
+      << std::left << std::setw(kTextWidth) << "controls" << std::right << std::setw(kWidth)
+      << "map" << std::setw(kWidth) << "no radio"
+      << "   shifted radio\n";
+  forEachFigure(map, [&](const char* key, const char* text, std::optional<double> value) {
+    out << std::left << std::setw(kTextWidth) << text << std::right;
+    printValue(out, value);
+    printValue(out, silent[key]);
+    out << "   " << shifted[key].text() << '\n';
+  });
+}
+
+void printPrediction(std::ostream& out, const PredictionFigures& figures) {
+  const auto print = [&](const char* text, double mean, double shadowed) {
+    out << std::left << std::setw(kTextWidth) << text << std::right;
+    printValue(out, mean);
+    printValue(out, shadowed);
+    out << '\n';
+  };
+  out << "\n"
+      << std::left << std::setw(kTextWidth) << "prediction of hidden stretches, rms error [dB]"
+      << std::right << std::setw(kWidth) << "alone" << std::setw(kWidth) << "+ nearest" << '\n';
+  print("distance", figures.distance, figures.distance_shadowed);
+  print("distance and walls", figures.walls, figures.walls_shadowed);
+}
+
+}  // namespace sfw

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "evaluation/evaluation.h"
+
+namespace sfw {
+
+/// A figure of a group that may be absent as a whole.
+template <class Group, class Value>
+std::optional<double> within(const std::optional<Group>& group, Value Group::*value) {
+  return group ? std::optional<double>((*group).*value) : std::nullopt;
+}
+
+/// Calls `visit(key, text, value)` for each figure, in the order of the table.
+template <class Visitor>
+void forEachFigure(const MapFigures& m, Visitor&& visit) {
+  visit("free_precision", "free: precision", m.free.precision);
+  visit("free_precision_tolerant", "free: precision within 0.1 m", m.free.tolerant_precision);
+  visit("free_recall", "free: recall", m.free.recall);
+  visit("free_iou", "free: intersection over union", m.free.iou);
+  visit("beyond_m2", "free beyond 0.3 m of the path: area found [m2]", m.free.beyond_m2);
+  visit("beyond_precision", "free beyond 0.3 m of the path: precision", m.free.beyond_precision);
+  visit("wall_precision_1", "wall within 0.05 m: precision",
+        within(m.wall_one_cell, &WallFigures::precision));
+  visit("wall_recall_1", "wall within 0.05 m: recall",
+        within(m.wall_one_cell, &WallFigures::recall));
+  visit("wall_f1_1", "wall within 0.05 m: F1", within(m.wall_one_cell, &WallFigures::f1));
+  visit("observed_wall_recall_1", "wall within 0.05 m: recall, observed",
+        within(m.wall_one_cell, &WallFigures::observed_recall));
+  visit("wall_precision_2", "wall within 0.1 m: precision",
+        within(m.wall_two_cells, &WallFigures::precision));
+  visit("wall_recall_2", "wall within 0.1 m: recall",
+        within(m.wall_two_cells, &WallFigures::recall));
+  visit("wall_f1_2", "wall within 0.1 m: F1", within(m.wall_two_cells, &WallFigures::f1));
+  visit("observed_wall_recall_2", "wall within 0.1 m: recall, observed",
+        within(m.wall_two_cells, &WallFigures::observed_recall));
+  visit("wall_in_free", "wall cells that lie in free space", m.wall_in_free);
+  visit("leak", "leak: observed walls called free", m.observed_leak);
+  visit("leak_all_walls", "leak: all walls called free", m.leak);
+  visit("auc", "probability: area under the curve",
+        within(m.probability, &ProbabilityFigures::auc));
+  visit("brier", "probability: Brier score", within(m.probability, &ProbabilityFigures::brier));
+  visit("log_loss", "probability: log-loss [nat]",
+        within(m.probability, &ProbabilityFigures::log_loss));
+  visit("radio_auc", "wall loss by radio alone: area under the curve",
+        within(m.radio, &RadioFigures::auc));
+  visit("radio_auc_off_path", "wall loss beyond 0.3 m of the path: the same",
+        within(m.radio, &RadioFigures::auc_off_path));
+  visit("radio_wall_f1_2", "walls by radio alone: F1 within 0.1 m",
+        within(m.radio, &RadioFigures::wall_f1_two_cells));
+  visit("radio_wall_f1_4", "walls by radio alone: F1 within 0.2 m",
+        within(m.radio, &RadioFigures::wall_f1_four_cells));
+}
+
+inline nlohmann::ordered_json figuresJson(const MapFigures& figures) {
+  nlohmann::ordered_json json;
+  forEachFigure(figures, [&](const char* key, const char*, std::optional<double> value) {
+    json[key] = value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+  });
+  return json;
+}
+
+/// Mean and spread of what was measured; absent figures do not count.
+class Statistics {
+ public:
+  void add(std::optional<double> value) {
+    if (value) {
+      ++count_;
+      sum_ += *value;
+      squares_ += *value * *value;
+    }
+  }
+
+  int count() const { return count_; }
+  double mean() const { return sum_ / count_; }
+  double standardDeviation() const {
+    return std::sqrt(std::max(0.0, squares_ / count_ - mean() * mean()));
+  }
+
+  std::string text() const {
+    if (count_ == 0) {
+      return "-";
+    }
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3f ± %.3f", mean(), standardDeviation());
+    return text;
+  }
+
+ private:
+  int count_ = 0;
+  double sum_ = 0.0;
+  double squares_ = 0.0;
+};
+
+}  // namespace sfw

@@ -1,0 +1,73 @@
+#include "evaluation/ablations.h"
+
+#include <map>
+
+#include "structure_from_wifi/mapper.h"
+
+namespace sfw {
+namespace {
+
+Mapper mapperOf(const std::vector<Reading>& readings, const std::vector<AccessPoint>& access_points,
+                const Config& config) {
+  Mapper mapper(config, access_points);
+  for (const Reading& reading : readings) {
+    mapper.insert(reading);
+  }
+  return mapper;
+}
+
+}  // namespace
+
+std::vector<Reading> withShiftedRadio(const std::vector<Reading>& readings, int shift) {
+  std::map<Bssid, std::vector<std::size_t>> series;
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    series[readings[i].bssid].push_back(i);
+  }
+  std::vector<Reading> shifted = readings;
+  for (const auto& [bssid, indices] : series) {
+    const std::size_t offset =
+        indices.size() * static_cast<std::size_t>(shift) / (kRadioShifts + 1);
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+      shifted[indices[i]].rssi_dbm = readings[indices[(i + offset) % indices.size()]].rssi_dbm;
+    }
+  }
+  return shifted;
+}
+
+ControlFigures evaluateControls(const EvaluationInput& input, const std::vector<Reading>& readings,
+                                const std::vector<AccessPoint>& access_points,
+                                const Config& config) {
+  ControlFigures controls;
+  EvaluationInput control = input;
+  for (int shift = 1; shift <= kRadioShifts; ++shift) {
+    const Mapper mapper = mapperOf(withShiftedRadio(readings, shift), access_points, config);
+    setMap(*mapper.infer(), control);
+    controls.shifted_radio.push_back(evaluate(control).map);
+  }
+  setBelief(mapperOf(readings, access_points, config).inferWithoutRadio()->belief, control);
+  controls.no_radio = evaluate(control).map;
+  return controls;
+}
+
+void setBelief(const BeliefMap& belief, EvaluationInput& input) {
+  const GridGeometry& geometry = belief.geometry();
+  input.map = Grid<CellState>(geometry);
+  input.probabilities = Grid<float>(geometry);
+  input.wall_loss.reset();
+  Cell c;
+  for (c.y = 0; c.y < geometry.height(); ++c.y) {
+    for (c.x = 0; c.x < geometry.width(); ++c.x) {
+      input.map[c] = belief.state(c);
+      (*input.probabilities)[c] = belief.occupied(c);
+    }
+  }
+}
+
+void setMap(const Snapshot& snapshot, EvaluationInput& input) {
+  setBelief(snapshot.belief, input);
+  if (snapshot.tomography) {
+    input.wall_loss = snapshot.tomography->wall_loss;
+  }
+}
+
+}  // namespace sfw

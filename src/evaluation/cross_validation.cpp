@@ -1,0 +1,270 @@
+#include "evaluation/cross_validation.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "path/building_frame.h"
+#include "radio/nearest_places.h"
+#include "radio/radio_bins.h"
+
+namespace sfw {
+namespace {
+
+constexpr double kMaxGap = 1.0;      // [m] between readings; longer pieces are no heading
+constexpr double kGrid = 0.1;        // [m]; half the bins
+constexpr double kGridMargin = 0.5;  // [m]
+constexpr std::int64_t kMostCells = 16'000'000;
+constexpr std::size_t kFewestBins = 8;
+constexpr std::size_t kNeighbours = 16;
+
+/// One access point in a fold.
+struct Part {
+  HeardAccessPoint known;
+  HeardAccessPoint hidden;
+};
+
+/// Signals and what they are predicted from at some bins.
+struct Bins {
+  Eigen::VectorXd signals;    // [dBm], walls' losses added back
+  Eigen::VectorXd wall_loss;  // [dB]
+  Eigen::MatrixXd basis;      // one, 10 log10 of distance
+};
+
+/// Fold of each reading.
+std::vector<int> foldsOf(const std::vector<Reading>& readings, const PredictionConfig& config) {
+  std::vector<int> folds;
+  double way = 0.0;
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    way += i > 0 ? (readings[i].antenna_in_map - readings[i - 1].antenna_in_map).norm() : 0.0;
+    folds.push_back(static_cast<int>(std::fmod(std::floor(way / config.stretch), config.folds)));
+  }
+  return folds;
+}
+
+double saturated(double loss, double limit) {
+  return std::isfinite(limit) ? limit * (1.0 - std::exp(-loss / limit)) : loss;
+}
+
+double meanSquare(double sum, std::size_t count) {
+  return std::sqrt(sum / static_cast<double>(count));
+}
+
+/// Log-distance law fitted to bins, and what is left of each.
+class Law {
+ public:
+  Law(const HeardAccessPoint& heard, const Bins& bins, const ShadowingModel& model)
+      : heard_(heard), model_(model), places_(placesOf(heard)), nearest_(places_) {
+    std::vector<double> noise;
+    for (std::size_t i = 0; i < heard.bins.size(); ++i) {
+      noise.push_back(noiseAt(heard.bins[i]));
+      nearest_.enter(static_cast<int>(i));
+    }
+    const ShadowingWhitener whitener(places_, noise, model);
+    const Eigen::MatrixXd white = whitener.whitened(bins.basis);
+    const Eigen::Vector2d prior(kPriorPower, -kPriorExponent);
+    const Eigen::Vector2d deviation(model.power_db, model.exponent);
+    Eigen::Matrix2d information = white.transpose() * white;
+    information.diagonal() += deviation.cwiseAbs2().cwiseInverse();
+    law_ = prior + information.llt().solve(white.transpose() *
+                                           (whitener.whitened(bins.signals) - white * prior));
+    residual_ = bins.signals - bins.basis * law_;
+  }
+
+  /// Predicted signals, walls' losses left out [dBm].
+  Eigen::VectorXd mean(const Bins& bins) const { return bins.basis * law_; }
+
+  /// What the nearest places have more than the law says [dB].
+  double shadowing(const Position& place) {
+    const auto& nearest = nearest_.nearest(place, kNeighbours);
+    const auto size = static_cast<Eigen::Index>(nearest.size());
+    Eigen::MatrixXd among(size, size);
+    Eigen::VectorXd with(size);
+    Eigen::VectorXd residual(size);
+    for (Eigen::Index i = 0; i < size; ++i) {
+      const auto [square, at] = nearest[static_cast<std::size_t>(i)];
+      const RadioBin& bin = heard_.bins[static_cast<std::size_t>(at)];
+      with[i] = shared(std::sqrt(square));
+      residual[i] = residual_[at];
+      for (Eigen::Index j = 0; j < size; ++j) {
+        const int other = nearest[static_cast<std::size_t>(j)].second;
+        among(i, j) = shared((places_[static_cast<std::size_t>(other)] - bin.place).norm());
+      }
+      among(i, i) += noiseAt(bin) + model_.unexplained_db2;
+    }
+    return with.dot(among.llt().solve(residual));
+  }
+
+ private:
+  static std::vector<Position> placesOf(const HeardAccessPoint& heard) {
+    std::vector<Position> places;
+    for (const RadioBin& bin : heard.bins) {
+      places.push_back(bin.place);
+    }
+    return places;
+  }
+  double noiseAt(const RadioBin& bin) const { return heard_.noise_db2 / bin.readings; }
+  double shared(double distance) const {
+    return model_.shadowing_db * model_.shadowing_db *
+           std::exp(-distance / model_.shadowing_distance);
+  }
+
+  const HeardAccessPoint& heard_;
+  const ShadowingModel& model_;
+  std::vector<Position> places_;
+  NearestPlaces nearest_;
+  Eigen::Vector2d law_;
+  Eigen::VectorXd residual_;
+};
+
+/// What a way to predict has come to.
+struct Squares {
+  double mean = 0.0;
+  double shadowed = 0.0;
+};
+
+class Prediction {
+ public:
+  Prediction(std::vector<Reading> readings, const std::vector<AccessPoint>& access_points,
+             const PredictionConfig& config)
+      : readings_(std::move(readings)), access_points_(access_points), config_(config) {
+    std::stable_sort(readings_.begin(), readings_.end(),
+                     [](const Reading& a, const Reading& b) { return a.stamp_ns < b.stamp_ns; });
+    std::vector<Position> path;
+    for (const Reading& reading : readings_) {
+      path.push_back(reading.antenna_in_map);
+    }
+    frame_ = findBuildingFrame(path, kMaxGap);
+  }
+
+  std::optional<PredictionFigures> figures(const std::atomic<bool>& stop) {
+    const std::optional<GridGeometry> geometry = grid();
+    if (!geometry) {
+      return std::nullopt;
+    }
+    Mask path(*geometry);
+    for (const Reading& reading : readings_) {
+      path[geometry->cellAt(frame_.toBuilding(reading.antenna_in_map))] = 1;
+    }
+    const std::vector<int> folds = foldsOf(readings_, config_);
+    for (int fold = 0; fold < config_.folds && !stop; ++fold) {
+      predict(path, partsOf(folds, fold), stop);
+    }
+    if (stop || bins_ == 0) {
+      return std::nullopt;
+    }
+    return PredictionFigures{bins_, meanSquare(distance_.mean, bins_),
+                             meanSquare(walls_.mean, bins_), meanSquare(distance_.shadowed, bins_),
+                             meanSquare(walls_.shadowed, bins_)};
+  }
+
+ private:
+  std::optional<GridGeometry> grid() const {
+    Box box;
+    for (const Reading& reading : readings_) {
+      box.extend(frame_.toBuilding(reading.antenna_in_map));
+    }
+    for (const AccessPoint& access_point : access_points_) {
+      box.extend(frame_.toBuilding(access_point.position));
+    }
+    if (readings_.empty()) {
+      return std::nullopt;
+    }
+    const Position margin(kGridMargin, kGridMargin);
+    const Box wide(box.min() - margin, box.max() + margin);
+    if (!(wide.sizes().prod() < static_cast<double>(kMostCells) / 2.0 * kGrid * kGrid)) {
+      return std::nullopt;
+    }
+    return GridGeometry::covering(wide, kGrid, kGridMargin, kMostCells);
+  }
+
+  std::vector<Part> partsOf(const std::vector<int>& folds, int fold) const {
+    std::vector<Part> parts;
+    for (const AccessPoint& access_point : access_points_) {
+      std::vector<Sample> known;
+      std::vector<Sample> hidden;
+      for (std::size_t i = 0; i < readings_.size(); ++i) {
+        if (readings_[i].bssid == access_point.bssid) {
+          (folds[i] == fold ? hidden : known)
+              .push_back({readings_[i].antenna_in_map, readings_[i].rssi_dbm});
+        }
+      }
+      const auto inBins = [&](const std::vector<Sample>& samples) {
+        return binned(samples, access_point.position, access_point.height_m, frame_, config_.bin);
+      };
+      Part part{inBins(known), inBins(hidden)};
+      if (part.known.bins.size() >= kFewestBins && !part.hidden.bins.empty()) {
+        parts.push_back(std::move(part));
+      }
+    }
+    return parts;
+  }
+
+  void predict(const Mask& path, const std::vector<Part>& parts, const std::atomic<bool>& stop) {
+    std::vector<HeardAccessPoint> known;
+    for (const Part& part : parts) {
+      known.push_back(part.known);
+    }
+    const WallField field =
+        estimateWalls(path.geometry, known, path, config_.robot_radius, config_.walls, stop);
+    for (const Part& part : parts) {
+      add(part, nullptr, distance_);
+      add(part, &field, walls_);
+      bins_ += part.hidden.bins.size();
+    }
+  }
+
+  Bins describe(const HeardAccessPoint& heard, const WallField* field) const {
+    const auto count = static_cast<Eigen::Index>(heard.bins.size());
+    Bins bins{Eigen::VectorXd(count), Eigen::VectorXd::Zero(count), Eigen::MatrixXd(count, 2)};
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const RadioBin& bin = heard.bins[static_cast<std::size_t>(i)];
+      if (field != nullptr) {
+        bins.wall_loss[i] = saturated(lossBetween(*field, heard.position, bin.place),
+                                      config_.walls.line.saturation_db);
+      }
+      bins.signals[i] = bin.rssi_dbm + bins.wall_loss[i];
+      bins.basis.row(i) << 1.0, logDistance(heard, bin.place);
+    }
+    return bins;
+  }
+
+  void add(const Part& part, const WallField* field, Squares& squares) const {
+    Law law(part.known, describe(part.known, field), config_.shadowing);
+    const Bins hidden = describe(part.hidden, field);
+    const Eigen::VectorXd error = hidden.signals - law.mean(hidden);
+    for (Eigen::Index i = 0; i < error.size(); ++i) {
+      const double shadowing = law.shadowing(part.hidden.bins[static_cast<std::size_t>(i)].place);
+      squares.mean += error[i] * error[i];
+      squares.shadowed += (error[i] - shadowing) * (error[i] - shadowing);
+    }
+  }
+
+  std::vector<Reading> readings_;
+  const std::vector<AccessPoint>& access_points_;
+  const PredictionConfig& config_;
+  BuildingFrame frame_;
+  Squares distance_;
+  Squares walls_;
+  std::size_t bins_ = 0;
+};
+
+}  // namespace
+
+PredictionConfig::PredictionConfig() {
+  walls.members = 4;
+  walls.line.saturation_db = 15.0;
+  walls.line.shadowing.unexplained_db2 = 9.0;
+  shadowing.shadowing_db = 3.5;
+  shadowing.shadowing_distance = 1.0;
+  shadowing.unexplained_db2 = 4.0;
+}
+
+std::optional<PredictionFigures> predictHiddenStretches(
+    const std::vector<Reading>& readings, const std::vector<AccessPoint>& access_points,
+    const PredictionConfig& config, const std::atomic<bool>& stop) {
+  return Prediction(readings, access_points, config).figures(stop);
+}
+
+}  // namespace sfw

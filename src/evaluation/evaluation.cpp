@@ -1,0 +1,278 @@
+#include "evaluation/evaluation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "evaluation/evaluation_truth.h"
+#include "grid/distance_transform.h"
+#include "grid/morphology.h"
+
+namespace sfw {
+namespace {
+
+constexpr double kTolerance = 0.1;    // [m] of the tolerant free precision
+constexpr double kBeyond = 0.3;       // [m] from the path
+constexpr double kTwoCells = 2.0;     // tolerance of walls
+constexpr double kFourCells = 4.0;    // that of what radio alone calls walls, beside the former
+constexpr double kMostlyKnown = 0.9;  // share of known cells from which the others are left out
+constexpr double kLeastProbability = 0.5 / 255.0;  // half a step of an 8-bit raster
+
+std::size_t count(const Mask& mask) {
+  return mask.cells.size() -
+         static_cast<std::size_t>(std::count(mask.cells.begin(), mask.cells.end(), 0));
+}
+
+Mask both(const Mask& a, const Mask& b) {
+  Mask result(a.geometry);
+  for (std::size_t i = 0; i < a.cells.size(); ++i) {
+    result.cells[i] = a.cells[i] != 0 && b.cells[i] != 0 ? 1 : 0;
+  }
+  return result;
+}
+
+/// Share of the set's cells that are also in another; 0 if it is empty.
+double share(const Mask& set, const Mask& other) {
+  const std::size_t whole = count(set);
+  return whole == 0 ? 0.0
+                    : static_cast<double>(count(both(set, other))) / static_cast<double>(whole);
+}
+
+/// As share, but nothing if the set is empty: for sets that the truth gives.
+std::optional<double> shareIfAny(const Mask& set, const Mask& other) {
+  return count(set) == 0 ? std::nullopt : std::optional(share(set, other));
+}
+
+/// The observed walls; nothing without access points.
+std::optional<Mask> observedWalls(const EvaluationTruth& truth) {
+  return truth.observed ? std::optional(both(truth.walls, *truth.observed)) : std::nullopt;
+}
+
+FreeFigures freeFigures(const Mask& free, const EvaluationTruth& truth) {
+  const double resolution = truth.lattice().resolution();
+  const Grid<double> to_region = distanceTransform(truth.region);
+  const Grid<double> to_path = distanceTransform(truth.path);
+  Mask near_region(truth.lattice());
+  Mask far(truth.lattice());
+  for (std::size_t i = 0; i < free.cells.size(); ++i) {
+    near_region.cells[i] = to_region.cells[i] * resolution <= kTolerance ? 1 : 0;
+    far.cells[i] = free.cells[i] != 0 && to_path.cells[i] * resolution > kBeyond ? 1 : 0;
+  }
+  const auto shared = static_cast<double>(count(both(free, truth.region)));
+  FreeFigures figures;
+  figures.precision = share(free, truth.region);
+  figures.tolerant_precision = share(free, near_region);
+  figures.recall = share(truth.region, free);
+  figures.iou = shared / (static_cast<double>(count(free)) +
+                          static_cast<double>(count(truth.region)) - shared);
+  figures.beyond_m2 = static_cast<double>(count(both(far, truth.region))) * resolution * resolution;
+  figures.beyond_precision = share(far, truth.region);
+  return figures;
+}
+
+WallFigures wallFigures(const Mask& occupied, const EvaluationTruth& truth,
+                        double tolerance_cells) {
+  const Mask near_called = dilated(occupied, tolerance_cells);
+  WallFigures figures;
+  figures.precision = share(occupied, dilated(truth.occupied, tolerance_cells));
+  figures.recall = shareIfAny(truth.walls, near_called);
+  if (figures.recall) {
+    const double sum = figures.precision + *figures.recall;
+    figures.f1 = sum > 0.0 ? 2.0 * figures.precision * *figures.recall / sum : 0.0;
+  }
+  if (const std::optional<Mask> observed = observedWalls(truth)) {
+    figures.observed_recall = shareIfAny(*observed, near_called);
+  }
+  return figures;
+}
+
+/// Figures that need nothing but the cells called free.
+MapFigures figuresOfFree(const Mask& called_free, const EvaluationTruth& truth) {
+  const auto known = static_cast<double>(count(truth.known));
+  const bool mostly_known = known > kMostlyKnown * static_cast<double>(truth.known.cells.size());
+  const Mask free = mostly_known ? both(called_free, truth.known) : called_free;
+  MapFigures figures;
+  figures.free = freeFigures(free, truth);
+  figures.leak = shareIfAny(truth.walls, free);
+  if (const std::optional<Mask> observed = observedWalls(truth)) {
+    figures.observed_leak = shareIfAny(*observed, free);
+  }
+  return figures;
+}
+
+/// Probabilities of the compared cells by what the cells are in truth.
+struct RatedCells {
+  std::vector<double> free;
+  std::vector<double> wall;
+};
+
+RatedCells rate(const Grid<float>& probabilities, const Grid<CellState>& map,
+                const EvaluationTruth& truth) {
+  constexpr float kUndecided = 0.5F;
+  const Grid<float> samples = sampled(probabilities, truth.lattice(), kUndecided);
+  RatedCells rated;
+  for (std::size_t i = 0; i < samples.cells.size(); ++i) {
+    const float p = samples.cells[i];
+    const double valid = p >= 0.0F && p <= 1.0F ? p : kUndecided;
+    if (map.cells[i] == CellState::kUnknown) {
+      continue;
+    }
+    if (truth.region.cells[i] != 0) {
+      rated.free.push_back(valid);
+    } else if (truth.walls.cells[i] != 0) {
+      rated.wall.push_back(valid);
+    }
+  }
+  return rated;
+}
+
+/// Mann and Whitney's statistic over all pairs. Sorts its input.
+std::optional<double> areaUnderCurve(RatedCells& rated) {
+  if (rated.free.empty() || rated.wall.empty()) {
+    return std::nullopt;
+  }
+  std::sort(rated.free.begin(), rated.free.end());
+  double won = 0.0;
+  for (const double p : rated.wall) {
+    const auto [below, above] = std::equal_range(rated.free.begin(), rated.free.end(), p);
+    won += 0.5 * static_cast<double>((below - rated.free.begin()) + (above - rated.free.begin()));
+  }
+  return won / static_cast<double>(rated.wall.size()) / static_cast<double>(rated.free.size());
+}
+
+ProbabilityFigures probabilityFigures(RatedCells rated) {
+  ProbabilityFigures figures;
+  figures.cells = rated.free.size() + rated.wall.size();
+  figures.auc = areaUnderCurve(rated);
+  if (figures.cells == 0) {
+    return figures;
+  }
+  double squares = 0.0;
+  double losses = 0.0;
+  const auto add = [&](double miss) {  // the probability given to what is not the case
+    squares += miss * miss;
+    losses -= std::log(1.0 - std::clamp(miss, kLeastProbability, 1.0 - kLeastProbability));
+  };
+  for (const double p : rated.free) {
+    add(p);
+  }
+  for (const double p : rated.wall) {
+    add(1.0 - p);
+  }
+  figures.brier = squares / static_cast<double>(figures.cells);
+  figures.log_loss = losses / static_cast<double>(figures.cells);
+  return figures;
+}
+
+/// The greatest value within some cells along an axis.
+Grid<float> greatest(const Grid<float>& values, std::int64_t reach, const Cell& axis) {
+  Grid<float> result(values.geometry);
+  for (std::size_t i = 0; i < values.cells.size(); ++i) {
+    const Cell c = values.geometry.cell(i);
+    float most = values.cells[i];
+    for (std::int64_t step = -reach; step <= reach; ++step) {
+      const Cell near{c.x + step * axis.x, c.y + step * axis.y};
+      if (values.geometry.contains(near)) {
+        most = std::max(most, values[near]);
+      }
+    }
+    result.cells[i] = most;
+  }
+  return result;
+}
+
+/// What the radio alone calls a wall: a loss that counts, and the ridge of it.
+Mask wallsByRadio(const Grid<float>& losses) {
+  constexpr float kLeastLoss = 0.6F;   // [dB]
+  constexpr float kLeastShare = 0.5F;  // of the greatest around
+  constexpr std::int64_t kAround = 4;  // cells, 0.2 m
+  const Grid<float> around = greatest(greatest(losses, kAround, {1, 0}), kAround, {0, 1});
+  Mask walls(losses.geometry);
+  for (std::size_t i = 0; i < walls.cells.size(); ++i) {
+    const float loss = losses.cells[i];
+    walls.cells[i] = loss >= kLeastLoss && loss >= kLeastShare * around.cells[i] ? 1 : 0;
+  }
+  return walls;
+}
+
+/// F1 of what the radio alone calls walls, where the truth knows what there is.
+std::optional<double> radioWallF1(const Mask& called, const EvaluationTruth& truth,
+                                  double tolerance_cells) {
+  const Mask observed = both(truth.walls, *truth.observed);
+  const std::optional<double> recall = shareIfAny(observed, dilated(called, tolerance_cells));
+  if (!recall) {
+    return std::nullopt;
+  }
+  const double precision = share(called, dilated(observed, tolerance_cells));
+  const double sum = precision + *recall;
+  return sum > 0.0 ? 2.0 * precision * *recall / sum : 0.0;
+}
+
+RadioFigures radioFigures(const Grid<float>& wall_loss, const EvaluationTruth& truth) {
+  const Grid<float> losses = sampled(wall_loss, truth.lattice(), 0.0F);
+  const Grid<double> from_path = distanceTransform(truth.path);
+  RatedCells all;
+  RatedCells off_path;
+  for (std::size_t i = 0; i < losses.cells.size(); ++i) {
+    const bool wall = truth.walls.cells[i] != 0;
+    if (truth.observed->cells[i] == 0 || (!wall && truth.region.cells[i] == 0)) {
+      continue;
+    }
+    const auto loss = static_cast<double>(losses.cells[i]);
+    (wall ? all.wall : all.free).push_back(loss);
+    if (from_path.cells[i] * kEvaluationResolution > kBeyond) {
+      (wall ? off_path.wall : off_path.free).push_back(loss);
+    }
+  }
+  Mask called = wallsByRadio(losses);
+  for (std::size_t i = 0; i < called.cells.size(); ++i) {
+    if (truth.walls.cells[i] == 0 && truth.region.cells[i] == 0) {
+      called.cells[i] = 0;  // nothing to compare with
+    }
+  }
+  return {areaUnderCurve(all), areaUnderCurve(off_path), radioWallF1(called, truth, kTwoCells),
+          radioWallF1(called, truth, kFourCells)};
+}
+
+MapFigures figuresOfMap(const EvaluationInput& input, const EvaluationTruth& truth) {
+  const Grid<CellState> map = sampled(input.map, truth.lattice(), CellState::kUnknown);
+  const Mask occupied = cellsOfState(map, CellState::kOccupied);
+  MapFigures figures = figuresOfFree(cellsOfState(map, CellState::kFree), truth);
+  figures.wall_one_cell = wallFigures(occupied, truth, 1.0);
+  figures.wall_two_cells = wallFigures(occupied, truth, kTwoCells);
+  const Mask off_walls = complement(dilated(truth.occupied, kTwoCells));
+  figures.wall_in_free = share(occupied, both(truth.region, off_walls));
+  if (input.probabilities) {
+    figures.probability = probabilityFigures(rate(*input.probabilities, map, truth));
+  }
+  if (input.wall_loss && truth.observed) {
+    figures.radio = radioFigures(*input.wall_loss, truth);
+  }
+  return figures;
+}
+
+}  // namespace
+
+Evaluation evaluate(const EvaluationInput& input) {
+  const EvaluationTruth truth = makeEvaluationTruth(input.truth, input.path, input.access_points);
+  Evaluation evaluation;
+  evaluation.map = figuresOfMap(input, truth);
+  evaluation.path_only = figuresOfFree(pathOnlyFree(truth.path), truth);
+  evaluation.free_m2 =
+      static_cast<double>(count(truth.region)) * kEvaluationResolution * kEvaluationResolution;
+  evaluation.wall_cells = count(truth.walls);
+  if (const std::optional<Mask> observed = observedWalls(truth)) {
+    evaluation.observed_wall_cells = count(*observed);
+  }
+  return evaluation;
+}
+
+Grid<CellState> pathOnlyMap(const EvaluationInput& input) {
+  const Mask free = pathOnlyFree(makeEvaluationTruth(input.truth, input.path, {}).path);
+  Grid<CellState> map(free.geometry, CellState::kUnknown);
+  for (std::size_t i = 0; i < free.cells.size(); ++i) {
+    map.cells[i] = free.cells[i] != 0 ? CellState::kFree : CellState::kUnknown;
+  }
+  return map;
+}
+
+}  // namespace sfw

@@ -1,0 +1,157 @@
+#include "evaluation/scoring_suite.h"
+
+#include <algorithm>
+#include <atomic>
+
+#include "evaluation/ablations.h"
+#include "grid/ray.h"
+#include "k_visibility/sparse_inverse.h"
+#include "structure_from_wifi/belief_map.h"
+#include "structure_from_wifi/input_error.h"
+#include "structure_from_wifi/mapper.h"
+
+namespace sfw {
+namespace {
+
+/// Makes and judges the maps of one recording.
+class Benchmark {
+ public:
+  explicit Benchmark(const Scenario& scenario)
+      : access_points_(scenario.access_points),
+        recording_(simulate(scenario)),
+        input_{toStates(scenario.plan), toStates(scenario.plan), {}, {}, {}} {
+    for (const Reading& reading : recording_.readings) {
+      if (input_.path.empty() || input_.path.back() != reading.antenna_in_map) {
+        input_.path.push_back(reading.antenna_in_map);
+      }
+    }
+    for (const AccessPoint& access_point : access_points_) {
+      input_.access_points.push_back(access_point.position);
+    }
+  }
+
+  void run(const BenchmarkMethod& method, Config config) {
+    method.select(config);
+    const Mapper mapper = mapperOf(config);
+    setMap(*mapper.infer(), input_);
+    add(method.name + ", " + method.shipped, evaluate(input_).map);
+    if (method.maps_wall_counts) {
+      setBelief(inferred(mapper, trueCounts(), config), input_);
+      add(method.name + ", true k", evaluate(input_).map);
+    }
+    const ControlFigures controls =
+        evaluateControls(input_, recording_.readings, access_points_, config);
+    for (const MapFigures& figures : controls.shifted_radio) {
+      add(method.name + ", shifted radio", figures);
+    }
+    add(method.name + ", no radio", controls.no_radio);
+  }
+
+  void runReferences(const Config& config) {
+    setBelief(inferred(mapperOf(config), {}, config), input_);
+    freeEveryRay();
+    const Evaluation evaluation = evaluate(input_);
+    add("every ray is free", evaluation.map);
+    add("path only", evaluation.path_only);
+  }
+
+  std::vector<BenchmarkFigures> takeResults() { return std::move(results_); }
+
+ private:
+  void add(const std::string& made_by, const MapFigures& figures) {
+    results_.push_back({made_by, figures});
+  }
+
+  Mapper mapperOf(const Config& config) const {
+    Mapper mapper(config, access_points_);
+    for (const Reading& reading : recording_.readings) {
+      mapper.insert(reading);
+    }
+    return mapper;
+  }
+
+  BeliefMap inferred(const Mapper& mapper, const std::vector<CountedPath>& heard,
+                     const Config& config) const {
+    const std::atomic<bool> never{false};
+    return {inferOccupancy(mapper.geometry(), heard, input_.path, {}, config.inference, never),
+            config.belief};
+  }
+
+  std::vector<CountedPath> trueCounts() const {
+    std::vector<CountedPath> heard;
+    for (const Position& access_point : input_.access_points) {
+      heard.push_back({access_point, {}});
+    }
+    for (std::size_t i = 0; i < recording_.readings.size(); ++i) {
+      const ReadingTruth& truth = recording_.truth[i];
+      heard[truth.access_point].poses.push_back(
+          {recording_.readings[i].antenna_in_map, truth.walls});
+    }
+    return heard;
+  }
+
+  void freeEveryRay() {
+    for (const Position& access_point : input_.access_points) {
+      for (const Position& pose : input_.path) {
+        Ray(input_.map.geometry, access_point, pose).forEachCell([&](Cell c) {
+          if (input_.map.geometry.contains(c)) {
+            input_.map[c] = CellState::kFree;
+          }
+        });
+      }
+    }
+  }
+
+  const std::vector<AccessPoint> access_points_;
+  const SimulatedRecording recording_;
+  EvaluationInput input_;  // what changes is the map and its probabilities
+  std::vector<BenchmarkFigures> results_;
+};
+
+}  // namespace
+
+std::vector<BenchmarkMethod> benchmarkMethods() {
+  return {
+      {"tomography", "fused belief", false, [](Config& config) { config.method = "tomography"; }},
+      {"k_visibility", "K-means k", true, [](Config& config) {
+         config.method = "k_visibility";
+         // The default is the other method's; config/k_visibility.yaml has this method's own.
+         if (config.belief.free_threshold == Config().belief.free_threshold) {
+           config.belief.free_threshold = 0.35;
+         }
+       }}};
+}
+
+std::vector<BenchmarkMethod> benchmarkMethods(const std::vector<std::string>& names) {
+  std::vector<BenchmarkMethod> methods = benchmarkMethods();
+  std::string known;
+  for (const BenchmarkMethod& method : methods) {
+    known += (known.empty() ? "" : ", ") + method.name;
+  }
+  for (const std::string& name : names) {
+    if (std::none_of(methods.begin(), methods.end(),
+                     [&](const BenchmarkMethod& method) { return method.name == name; })) {
+      throw InputError("methods: there is no '" + name + "'; there are: " + known);
+    }
+  }
+  methods.erase(std::remove_if(methods.begin(), methods.end(),
+                               [&](const BenchmarkMethod& method) {
+                                 return !names.empty() && std::find(names.begin(), names.end(),
+                                                                    method.name) == names.end();
+                               }),
+                methods.end());
+  return methods;
+}
+
+std::vector<BenchmarkFigures> runBenchmark(const Scenario& scenario,
+                                           const std::vector<BenchmarkMethod>& methods,
+                                           const Config& config) {
+  Benchmark benchmark(scenario);
+  for (const BenchmarkMethod& method : methods) {
+    benchmark.run(method, config);
+  }
+  benchmark.runReferences(config);
+  return benchmark.takeResults();
+}
+
+}  // namespace sfw

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <cairo.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "files/colour.h"
+#include "structure_from_wifi/grid_geometry.h"
+
+namespace sfw {
+
+/// A colour of the legend and what it stands for.
+struct LegendEntry {
+  Colour colour;
+  std::string text;
+  bool is_dot = false;  ///< drawn as one, not as an area
+};
+
+/// A picture of a part of the map frame: metres in, pixels out, x to the right and y up.
+/// Below the map it keeps room for a legend and a scale bar. It may hold several panels of the same
+/// part side by side, each with a title above it.
+class Canvas {
+ public:
+  static constexpr Colour kFree{1.0, 1.0, 1.0};
+  static constexpr Colour kOccupied{0.10, 0.10, 0.12};
+  static constexpr Colour kUnknown{0.80, 0.81, 0.83};
+  static constexpr Colour kAccessPoint{0.55, 0.10, 0.65};
+
+  /// @param area what is shown [m], not empty
+  explicit Canvas(const Box& area);
+
+  /// So many panels, each of which shows the area and what lies beside it, as far as there is room.
+  Canvas(const Box& area, int panels);
+
+  /// Writes above a panel of several, counted from 0, and lets what is drawn next lie in it.
+  void beginPanel(int panel, const std::string& title, const std::string& note);
+
+  /// What is drawn next lies in no panel.
+  void endPanel();
+
+  /// Fills the cells for which `chosen(Cell)` holds.
+  template <class Chosen>
+  void fillCells(const GridGeometry& geometry, const Colour& colour, Chosen&& chosen);
+
+  void drawDot(const Position& at, const Colour& colour);
+
+  /// A marked access point with its name beside it; an empty name is left out.
+  void drawAccessPoint(const Position& at, const std::string& name);
+
+  /// Caption and entries on the left, scale bar on the right, below the map. Below panels there is
+  /// room for one row of entries, and none for a caption.
+  void drawFooter(const std::string& caption, const std::vector<LegendEntry>& legend);
+
+  /// @throw std::runtime_error if Cairo fails.
+  std::string png() const;
+
+ private:
+  struct Destroy {
+    void operator()(cairo_t* context) const { cairo_destroy(context); }
+    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+  };
+
+  void makePage(double width, double height, double text_size, const Colour& ground);
+  Position toPixels(const Position& point) const;
+  void setColour(const Colour& colour);
+  void addCell(const GridGeometry& geometry, Cell cell);
+  void drawLabel(const std::string& text, const Position& at_pixels);
+  double textWidth(const std::string& text) const;
+  void drawLegend(const std::vector<LegendEntry>& legend, double first_row, double last_row);
+  void drawScaleBar(double top);
+
+  Box area_;
+  Position corner_;         // where the area's upper left one is drawn [px]
+  double scale_ = 1.0;      // [px/m]
+  double width_ = 0.0;      // of the picture [px]
+  double height_ = 0.0;     // of the picture [px]
+  double map_width_ = 0.0;  // of one panel, if there are several [px]
+  double map_height_ = 0.0;
+  double text_size_ = 15.0;  // [px]
+  bool one_row_ = false;     // of the footer, with the scale bar in it
+  std::unique_ptr<cairo_surface_t, Destroy> surface_;
+  std::unique_ptr<cairo_t, Destroy> context_;
+};
+
+template <class Chosen>
+void Canvas::fillCells(const GridGeometry& geometry, const Colour& colour, Chosen&& chosen) {
+  cairo_set_antialias(context_.get(), CAIRO_ANTIALIAS_NONE);  // no seams between cells
+  setColour(colour);
+  Cell c;
+  for (c.y = 0; c.y < geometry.height(); ++c.y) {
+    for (c.x = 0; c.x < geometry.width(); ++c.x) {
+      if (chosen(c)) {
+        addCell(geometry, c);
+      }
+    }
+  }
+  cairo_fill(context_.get());
+  cairo_set_antialias(context_.get(), CAIRO_ANTIALIAS_DEFAULT);
+}
+
+}  // namespace sfw

@@ -1,0 +1,117 @@
+#include "files/map_server.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "files/pgm.h"
+#include "files/text.h"
+#include "structure_from_wifi/input_error.h"
+
+namespace sfw {
+namespace {
+
+/// Everything that a map's YAML and image say.
+struct MapFile {
+  GridGeometry geometry;
+  GreyImage image;
+  bool negate;
+  double occupied_threshold;
+  double free_threshold;
+  double decibels_per_step;  // 0 if the file does not say
+
+  double occupied(Cell c) const {
+    const auto row = image.height - 1 - c.y;
+    const double white = image.pixels[static_cast<std::size_t>(row * image.width + c.x)] / 255.0;
+    return negate ? white : 1.0 - white;
+  }
+};
+
+/// @return `absent` if the key is missing; what it holds is never left out silently.
+double numberOr(const YAML::Node& yaml, const char* key, double absent) {
+  return yaml[key] ? yaml[key].as<double>() : absent;
+}
+
+void requireUnderstood(const std::string& yaml_file, const MapFile& map, const std::string& mode) {
+  if (mode != "trinary" && mode != "scale") {
+    throw InputError(yaml_file + ": 'mode' must be trinary or scale; it is '" + mode + "'");
+  }
+  if (!(map.free_threshold >= 0.0 && map.free_threshold <= map.occupied_threshold &&
+        map.occupied_threshold <= 1.0)) {
+    throw InputError(yaml_file + ": 0 <= free_thresh <= occupied_thresh <= 1 must hold");
+  }
+}
+
+MapFile parseMapFile(const std::string& yaml_file) {
+  const YAML::Node yaml = YAML::Load(readFile(yaml_file));
+  const auto origin = yaml["origin"].as<std::vector<double>>();
+  if (origin.size() < 2 || (origin.size() > 2 && origin[2] != 0.0)) {
+    throw InputError(yaml_file + ": 'origin' must be [x, y, 0]: rotated maps are not supported");
+  }
+  const std::filesystem::path folder = std::filesystem::path(yaml_file).parent_path();
+  GreyImage image = readPgm((folder / yaml["image"].as<std::string>()).string());
+  const GridGeometry geometry(yaml["resolution"].as<double>(), {origin[0], origin[1]}, image.width,
+                              image.height);
+  MapFile map{geometry,
+              std::move(image),
+              numberOr(yaml, "negate", 0.0) != 0.0,
+              numberOr(yaml, "occupied_thresh", 0.65),
+              numberOr(yaml, "free_thresh", 0.196),
+              numberOr(yaml, "decibels_per_step", 0.0)};
+  requireUnderstood(yaml_file, map, yaml["mode"] ? yaml["mode"].as<std::string>() : "trinary");
+  return map;
+}
+
+MapFile readMapFile(const std::string& yaml_file) {
+  try {
+    return parseMapFile(yaml_file);
+  } catch (const YAML::Exception& error) {
+    throw InputError(yaml_file + ": " + error.what() +
+                     " (a map needs image, resolution and origin)");
+  } catch (const std::invalid_argument& error) {
+    throw InputError(yaml_file + ": " + error.what());
+  }
+}
+
+template <class T, class Convert>
+Grid<T> converted(const std::string& yaml_file, Convert&& convert) {
+  const MapFile file = readMapFile(yaml_file);
+  Grid<T> grid(file.geometry);
+  Cell c;
+  for (c.y = 0; c.y < file.geometry.height(); ++c.y) {
+    for (c.x = 0; c.x < file.geometry.width(); ++c.x) {
+      grid[c] = convert(file, c);
+    }
+  }
+  return grid;
+}
+
+}  // namespace
+
+Grid<CellState> readMap(const std::string& yaml_file) {
+  return converted<CellState>(yaml_file, [](const MapFile& file, Cell c) {
+    const double occupied = file.occupied(c);
+    if (occupied > file.occupied_threshold) {
+      return CellState::kOccupied;
+    }
+    return occupied < file.free_threshold ? CellState::kFree : CellState::kUnknown;
+  });
+}
+
+Grid<float> readProbabilities(const std::string& yaml_file) {
+  return converted<float>(
+      yaml_file, [](const MapFile& file, Cell c) { return static_cast<float>(file.occupied(c)); });
+}
+
+Grid<float> readWallLoss(const std::string& yaml_file) {
+  return converted<float>(yaml_file, [&](const MapFile& file, Cell c) {
+    if (!(file.decibels_per_step > 0.0 && std::isfinite(file.decibels_per_step))) {
+      throw InputError(yaml_file + ": 'decibels_per_step' must be a positive number");
+    }
+    constexpr double kSteps = 255.0;
+    return static_cast<float>(kSteps * file.occupied(c) * file.decibels_per_step);
+  });
+}
+
+}  // namespace sfw

@@ -1,0 +1,120 @@
+#include "grid/morphology.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include "grid/distance_transform.h"
+
+namespace sfw {
+namespace {
+
+/// The set on a grid that is wider by `margin` cells on each side.
+Mask padded(const Mask& mask, std::int64_t margin) {
+  const GridGeometry& inner = mask.geometry;
+  const double shift = inner.resolution() * static_cast<double>(margin);
+  Mask outer(GridGeometry(inner.resolution(), inner.origin() - Position(shift, shift),
+                          inner.width() + 2 * margin, inner.height() + 2 * margin));
+  for (std::int64_t y = 0; y < inner.height(); ++y) {
+    for (std::int64_t x = 0; x < inner.width(); ++x) {
+      outer[{x + margin, y + margin}] = mask[{x, y}];
+    }
+  }
+  return outer;
+}
+
+/// Gives a label to everything in the set that hangs together with `seed`.
+void flood(const Mask& mask, Cell seed, std::int64_t label, Grid<std::int64_t>& labels) {
+  std::vector<Cell> open{seed};
+  labels[seed] = label;
+  while (!open.empty()) {
+    const Cell at = open.back();
+    open.pop_back();
+    const Cell neighbours[] = {
+        {at.x - 1, at.y}, {at.x + 1, at.y}, {at.x, at.y - 1}, {at.x, at.y + 1}};
+    for (const Cell next : neighbours) {
+      if (mask.geometry.contains(next) && mask[next] != 0 && labels[next] == 0) {
+        labels[next] = label;
+        open.push_back(next);
+      }
+    }
+  }
+}
+
+/// Whether each label of a set occurs on the grid's border.
+std::vector<bool> touchesBorder(const Components& components) {
+  const GridGeometry& geometry = components.label.geometry;
+  std::vector<bool> touches(static_cast<std::size_t>(components.count) + 1, false);
+  const auto note = [&](Cell c) { touches[static_cast<std::size_t>(components.label[c])] = true; };
+  for (std::int64_t x = 0; x < geometry.width(); ++x) {
+    note({x, 0});
+    note({x, geometry.height() - 1});
+  }
+  for (std::int64_t y = 0; y < geometry.height(); ++y) {
+    note({0, y});
+    note({geometry.width() - 1, y});
+  }
+  return touches;
+}
+
+}  // namespace
+
+Mask complement(const Mask& mask) {
+  Mask others(mask.geometry);
+  for (std::size_t i = 0; i < mask.cells.size(); ++i) {
+    others.cells[i] = mask.cells[i] == 0 ? 1 : 0;
+  }
+  return others;
+}
+
+Mask dilated(const Mask& mask, double radius_cells) {
+  const Grid<double> distance = distanceTransform(mask);
+  Mask result(mask.geometry);
+  for (std::size_t i = 0; i < mask.cells.size(); ++i) {
+    result.cells[i] = distance.cells[i] <= radius_cells ? 1 : 0;
+  }
+  return result;
+}
+
+Mask closed(const Mask& mask, double radius_cells) {
+  if (!(radius_cells >= 0.0 && radius_cells < static_cast<double>(1 << 18))) {
+    throw std::invalid_argument("radius_cells must lie in 0..262143");
+  }
+  // Wide enough that the dilated set never reaches the padded grid's border.
+  const std::int64_t margin = static_cast<std::int64_t>(std::ceil(radius_cells)) + 1;
+  const Mask wide = dilated(padded(mask, margin), radius_cells);
+  const Grid<double> depth = distanceTransform(complement(wide));
+  Mask result(mask.geometry);
+  for (std::int64_t y = 0; y < mask.geometry.height(); ++y) {
+    for (std::int64_t x = 0; x < mask.geometry.width(); ++x) {
+      result[{x, y}] = depth[{x + margin, y + margin}] > radius_cells ? 1 : 0;
+    }
+  }
+  return result;
+}
+
+Mask withHolesFilled(const Mask& mask) {
+  const Components outside = labelComponents(complement(mask));
+  const std::vector<bool> open = touchesBorder(outside);
+  Mask result(mask.geometry);
+  for (std::size_t i = 0; i < mask.cells.size(); ++i) {
+    const std::int64_t label = outside.label.cells[i];
+    result.cells[i] = label == 0 || !open[static_cast<std::size_t>(label)] ? 1 : 0;
+  }
+  return result;
+}
+
+Components labelComponents(const Mask& mask) {
+  Components components{Grid<std::int64_t>(mask.geometry, 0), 0};
+  Cell c;
+  for (c.y = 0; c.y < mask.geometry.height(); ++c.y) {
+    for (c.x = 0; c.x < mask.geometry.width(); ++c.x) {
+      if (mask[c] != 0 && components.label[c] == 0) {
+        flood(mask, c, ++components.count, components.label);
+      }
+    }
+  }
+  return components;
+}
+
+}  // namespace sfw

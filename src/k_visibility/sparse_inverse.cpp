@@ -1,0 +1,238 @@
+#include "k_visibility/sparse_inverse.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "grid/ray.h"
+
+namespace sfw {
+namespace {
+
+constexpr float kUnknown = 0.5F;
+constexpr float kFootprint = 0.02F;     // the robot stood there
+constexpr float kContact = 0.95F;       // the robot ran into it
+constexpr double kRayCertainty = 0.95;  // no number of correlated rays says more than this
+
+double logit(double p) { return std::log(p / (1.0 - p)); }
+double logistic(double x) { return 1.0 / (1.0 + std::exp(-x)); }
+
+/// Wall counts of the cells that the path crosses, as one access point hears them.
+class PathCells {
+ public:
+  explicit PathCells(const GridGeometry& geometry) : sums_(geometry) {}
+
+  /// Enters a path; each cell counts as the nearer of the two poses around it.
+  void enter(const CountedPath& path, double max_gap_m) {
+    for (std::size_t i = 0; i < path.poses.size(); ++i) {
+      const CountedPose& from = path.poses[i];
+      const CountedPose& to = path.poses[i + 1 < path.poses.size() ? i + 1 : i];
+      const Position middle = (from.antenna_in_map + to.antenna_in_map) / 2.0;
+      if ((to.antenna_in_map - from.antenna_in_map).norm() > max_gap_m) {
+        enter(from.antenna_in_map, from.antenna_in_map, from.walls);
+        continue;
+      }
+      enter(from.antenna_in_map, middle, from.walls);
+      enter(middle, to.antenna_in_map, to.walls);
+    }
+    std::sort(cells_.begin(), cells_.end(),
+              [this](Cell a, Cell b) { return sums_.geometry.index(a) < sums_.geometry.index(b); });
+  }
+
+  const std::vector<Cell>& cells() const { return cells_; }
+  bool crossed(Cell c) const { return sums_.geometry.contains(c) && sums_[c].poses > 0; }
+
+  /// Mean count of all passes through a crossed cell, rounded.
+  int walls(Cell c) const {
+    const Sum& sum = sums_[c];
+    return static_cast<int>((2 * sum.walls + sum.poses) / (2 * sum.poses));
+  }
+
+ private:
+  struct Sum {
+    std::int32_t walls = 0;
+    std::int32_t poses = 0;
+  };
+
+  void enter(const Position& from, const Position& to, int walls) {
+    Ray(sums_.geometry, from, to).forEachCell([&](Cell c) {
+      if (!sums_.geometry.contains(c)) {
+        return;
+      }
+      Sum& sum = sums_[c];
+      if (sum.poses == 0) {
+        cells_.push_back(c);
+      }
+      sum.walls += walls;
+      sum.poses += 1;
+    });
+  }
+
+  Grid<Sum> sums_;
+  std::vector<Cell> cells_;
+};
+
+/// Adds what one segment says to the evidence of its cells.
+///
+/// Its variance grows with the square of its length: the midpoint of a long segment is a poor
+/// guess, and two equal counts far apart are a poor proof that nothing stands between.
+void addSegment(const RaySegment& segment, const std::vector<Cell>& ray,
+                const Config::Inference& config, Grid<CellEvidence>& evidence) {
+  const double resolution = evidence.geometry.resolution();
+  const std::size_t cells = segment.end - segment.begin;
+  const double length = static_cast<double>(cells) * resolution;
+  if (segment.walls < 0) {
+    return;  // one of the two counts is wrong, and nothing tells which
+  }
+  const double least_room = 2.0 * config.footprint_radius + config.wall_thickness;
+  if (segment.walls > 0 && length < least_room) {
+    return;  // no wall fits between two footprints this close
+  }
+  const double weight = 1.0 / (length * length);
+  const std::vector<double> mass =
+      wallMass(cells, segment.walls, config.wall_thickness / resolution);
+  // A wall somewhere on the segment is never a reason to call one of its cells free (Rule 3).
+  const double least_mass = segment.walls > 0 ? config.wall_density : 0.0;
+  for (std::size_t i = 0; i < cells; ++i) {
+    const Cell cell = ray[segment.begin + i];
+    if (evidence.geometry.contains(cell)) {
+      evidence[cell].weighted_mass += weight * std::max(mass[i], least_mass);
+      evidence[cell].weight += weight;
+    }
+  }
+}
+
+void addRays(const CountedPath& heard, const Config::Inference& config,
+             const std::atomic<bool>& stop, Grid<CellEvidence>& evidence) {
+  const GridGeometry& geometry = evidence.geometry;
+  PathCells path(geometry);
+  path.enter(heard, config.max_gap);
+  std::vector<Cell> ray;
+  std::vector<CountedCell> known;
+  for (const Cell end : path.cells()) {
+    if (stop) {
+      return;
+    }
+    ray.clear();
+    known.assign(1, CountedCell{0, 0});
+    Ray(geometry, heard.access_point, geometry.centre(end)).forEachCell([&](Cell cell) {
+      if (!ray.empty() && path.crossed(cell)) {
+        known.push_back({ray.size(), path.walls(cell)});
+      }
+      ray.push_back(cell);
+    });
+    for (const RaySegment& segment : segmentRay(known)) {
+      addSegment(segment, ray, config, evidence);
+    }
+  }
+}
+
+/// Occupancy from fused mass, against the density that any unseen place has.
+float occupancy(const CellEvidence& evidence, double wall_density) {
+  const double mass = std::clamp(evidence.mass(), 0.0, 1.0);  // a sum may pass 1 by its rounding
+  const double probability = logistic(logit(mass) - logit(wall_density));
+  return static_cast<float>(std::clamp(probability, 1.0 - kRayCertainty, kRayCertainty));
+}
+
+/// Rule 1: where the robot stood is free, at least the cell of its antenna.
+void freeFootprints(const std::vector<Position>& path, const Config::Inference& config,
+                    Grid<float>& occupied) {
+  const GridGeometry& geometry = occupied.geometry;
+  const double radius = config.footprint_radius;
+  const Position reach(radius, radius);
+  for (const Position& pose : path) {
+    const Cell own = geometry.cellAt(pose);
+    const Cell low = geometry.cellAt(pose - reach);
+    const Cell high = geometry.cellAt(pose + reach);
+    Cell c;
+    for (c.y = low.y; c.y <= high.y; ++c.y) {
+      for (c.x = low.x; c.x <= high.x; ++c.x) {
+        const bool covered = c == own || (geometry.centre(c) - pose).norm() <= radius;
+        if (covered && geometry.contains(c)) {
+          occupied[c] = kFootprint;
+        }
+      }
+    }
+  }
+}
+
+/// The path with poses added so that footprints overlap, except across gaps.
+std::vector<Position> densified(const std::vector<Position>& path, double spacing_m,
+                                double max_gap_m) {
+  std::vector<Position> dense;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    dense.push_back(path[i]);
+    if (i + 1 == path.size()) {
+      break;
+    }
+    const Position way = path[i + 1] - path[i];
+    if (way.norm() > max_gap_m) {
+      continue;
+    }
+    const int parts = static_cast<int>(std::ceil(way.norm() / spacing_m));
+    for (int part = 1; part < parts; ++part) {
+      dense.push_back(path[i] + way * (static_cast<double>(part) / parts));
+    }
+  }
+  return dense;
+}
+
+}  // namespace
+
+std::vector<RaySegment> segmentRay(const std::vector<CountedCell>& known) {
+  std::vector<RaySegment> segments;
+  for (std::size_t i = 1; i < known.size(); ++i) {
+    const RaySegment segment{known[i - 1].index + 1, known[i].index,
+                             known[i].walls - known[i - 1].walls};
+    if (segment.begin < segment.end) {
+      segments.push_back(segment);
+    }
+  }
+  return segments;
+}
+
+std::vector<double> wallMass(std::size_t cells, int walls, double wall_cells) {
+  std::vector<double> mass(cells, 0.0);
+  if (walls <= 0) {
+    return mass;
+  }
+  const double spacing = static_cast<double>(cells) / walls;
+  const double sd = spacing / 4.0;
+  double sum = 0.0;
+  for (std::size_t cell = 0; cell < cells; ++cell) {
+    const double centre = static_cast<double>(cell) + 0.5;
+    for (int wall = 0; wall < walls; ++wall) {
+      const double z = (centre - (wall + 0.5) * spacing) / sd;
+      mass[cell] += std::exp(-z * z / 2.0);
+    }
+    sum += mass[cell];
+  }
+  for (double& m : mass) {
+    m = std::min(1.0, m * walls * wall_cells / sum);
+  }
+  return mass;
+}
+
+Grid<float> inferOccupancy(const GridGeometry& geometry, const std::vector<CountedPath>& heard,
+                           const std::vector<Position>& path, const std::vector<Contact>& contacts,
+                           const Config::Inference& config, const std::atomic<bool>& stop) {
+  Grid<CellEvidence> evidence(geometry);
+  for (const CountedPath& one : heard) {
+    addRays(one, config, stop, evidence);
+  }
+  Grid<float> occupied(geometry, kUnknown);
+  for (std::size_t i = 0; i < evidence.cells.size(); ++i) {
+    if (evidence.cells[i].weight > 0.0) {
+      occupied.cells[i] = occupancy(evidence.cells[i], config.wall_density);
+    }
+  }
+  freeFootprints(densified(path, geometry.resolution(), config.max_gap), config, occupied);
+  for (const Contact& contact : contacts) {
+    const Cell cell = geometry.cellAt(contact.point_in_map);
+    if (geometry.contains(cell)) {
+      occupied[cell] = kContact;
+    }
+  }
+  return occupied;
+}
+
+}  // namespace sfw

@@ -1,0 +1,168 @@
+#include "output/octomap_columns.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace sfw {
+namespace {
+
+using Node = octomap::OcTreeNode;
+
+constexpr int kDepth = 16;  // of every OctoMap: levels below the root
+constexpr std::int64_t kReach = 32768;
+constexpr unsigned kChildren = 8;
+
+/// OctoMap makes a root only together with a voxel at full depth.
+class RootedTree : public octomap::OcTree {
+ public:
+  using octomap::OcTree::OcTree;
+
+  Node* makeRoot() {
+    root = new Node();  // the tree's to delete
+    ++tree_size;
+    size_changed = true;
+    return root;
+  }
+};
+
+/// What the columns of a square block of cells have in common.
+struct Block {
+  std::int32_t most = 0;   // layers
+  std::int32_t least = 0;  // layers
+  float log_odds = 0.0F;   // of the first column
+  bool alike = true;       // that all are of
+
+  void join(const Block& other) {
+    most = std::max(most, other.most);
+    least = std::min(least, other.least);
+    alike = alike && other.alike && log_odds == other.log_odds;
+  }
+};
+
+/// The blocks of cells of 1, 2, 4, ... cells a side, as the tree divides them.
+class Blocks {
+ public:
+  Blocks(const Grid<Column>& columns, Cell first) : first_{first.x + kReach, first.y + kReach} {
+    levels_.reserve(kDepth + 1);
+    levels_.emplace_back(
+        GridGeometry(1.0, Position::Zero(), columns.geometry.width(), columns.geometry.height()));
+    for (std::size_t i = 0; i < columns.cells.size(); ++i) {
+      const Column& column = columns.cells[i];
+      levels_[0].cells[i] = {column.layers, column.layers, column.log_odds, true};
+    }
+    for (int level = 1; level <= kDepth; ++level) {
+      levels_.push_back(joined(level));
+    }
+  }
+
+  /// Of the block of 2^level cells a side with these numbers.
+  Block at(int level, std::int64_t x, std::int64_t y) const {
+    const Grid<Block>& blocks = levels_[static_cast<std::size_t>(level)];
+    const Cell c{x - (first_.x >> level), y - (first_.y >> level)};
+    return blocks.geometry.contains(c) ? blocks[c] : Block();
+  }
+
+ private:
+  Grid<Block> joined(int level) const {
+    const GridGeometry& finest = levels_[0].geometry;
+    const std::int64_t x = first_.x >> level;
+    const std::int64_t y = first_.y >> level;
+    Grid<Block> blocks(GridGeometry(1.0, Position::Zero(),
+                                    ((first_.x + finest.width() - 1) >> level) - x + 1,
+                                    ((first_.y + finest.height() - 1) >> level) - y + 1));
+    Cell c;
+    for (c.y = 0; c.y < blocks.geometry.height(); ++c.y) {
+      for (c.x = 0; c.x < blocks.geometry.width(); ++c.x) {
+        const std::int64_t left = 2 * (x + c.x);
+        const std::int64_t low = 2 * (y + c.y);
+        Block block = at(level - 1, left, low);
+        block.join(at(level - 1, left + 1, low));
+        block.join(at(level - 1, left, low + 1));
+        block.join(at(level - 1, left + 1, low + 1));
+        blocks[c] = block;
+      }
+    }
+    return blocks;
+  }
+
+  Cell first_;  // numbered as the tree numbers voxels
+  std::vector<Grid<Block>> levels_;
+};
+
+class Builder {
+ public:
+  Builder(const Blocks& blocks, octomap::OcTree& tree) : blocks_(blocks), tree_(tree) {}
+
+  /// Fills the node of 2^level voxels a side with these numbers; something is in it.
+  void fill(Node* node, int level, std::int64_t x, std::int64_t y, std::int64_t z) {
+    const Block block = blocks_.at(level, x, y);
+    if (block.alike && block.least >= ((z + 1) << level) - kReach) {
+      node->setLogOdds(block.log_odds);
+      return;
+    }
+    for (unsigned i = 0; i < kChildren; ++i) {
+      const std::int64_t child_x = 2 * x + (i & 1U);
+      const std::int64_t child_y = 2 * y + ((i >> 1U) & 1U);
+      const std::int64_t child_z = 2 * z + (i >> 2U);
+      const std::int64_t floor = (child_z << (level - 1)) - kReach;
+      if (floor >= 0 && blocks_.at(level - 1, child_x, child_y).most > floor) {
+        fill(tree_.createNodeChild(node, i), level - 1, child_x, child_y, child_z);
+      }
+    }
+    node->setLogOdds(node->getMaxChildLogOdds());
+  }
+
+ private:
+  const Blocks& blocks_;
+  octomap::OcTree& tree_;
+};
+
+/// Whether all voxels of a node are known and occupied, or all known and free.
+bool isWhole(const octomap::OcTree& tree, const Node& node, bool occupied) {
+  if (!tree.nodeHasChildren(&node)) {
+    return tree.isNodeOccupied(node) == occupied;
+  }
+  for (unsigned i = 0; i < kChildren; ++i) {
+    if (!tree.nodeChildExists(&node, i) || !isWhole(tree, *tree.getNodeChild(&node, i), occupied)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void copyCertain(const octomap::OcTree& tree, const Node& node, octomap::OcTree& copy,
+                 Node* copied) {
+  const bool occupied = tree.isNodeOccupied(node);
+  if (isWhole(tree, node, occupied)) {
+    copied->setLogOdds(occupied ? tree.getClampingThresMaxLog() : tree.getClampingThresMinLog());
+    return;
+  }
+  for (unsigned i = 0; i < kChildren; ++i) {
+    if (tree.nodeChildExists(&node, i)) {
+      copyCertain(tree, *tree.getNodeChild(&node, i), copy, copy.createNodeChild(copied, i));
+    }
+  }
+  copied->setLogOdds(copied->getMaxChildLogOdds());
+}
+
+}  // namespace
+
+std::unique_ptr<octomap::OcTree> treeOfColumns(const Grid<Column>& columns, Cell first) {
+  auto tree = std::make_unique<RootedTree>(columns.geometry.resolution());
+  const Blocks blocks(columns, first);
+  if (blocks.at(kDepth, 0, 0).most > 0) {
+    Builder(blocks, *tree).fill(tree->makeRoot(), kDepth, 0, 0, 0);
+  }
+  return tree;
+}
+
+std::unique_ptr<octomap::OcTree> mostLikely(const octomap::OcTree& tree) {
+  auto copy = std::make_unique<RootedTree>(tree.getResolution());
+  if (tree.getRoot() != nullptr) {
+    copyCertain(tree, *tree.getRoot(), *copy, copy->makeRoot());
+  }
+  return copy;
+}
+
+}  // namespace sfw

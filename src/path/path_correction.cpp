@@ -1,0 +1,188 @@
+#include "structure_from_wifi/path_correction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace sfw {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// The most that odometry is taken to drift, for a metre driven: that of poor wheels on carpet.
+constexpr double kMostDrift = 0.1;  // [m/m]
+constexpr double kMostTurn = 0.1;   // [rad/m]
+
+/// Jumps that follow each other so closely are one: tf interpolates between the transform before
+/// a jump and the one after it, and a reading may fall in between.
+constexpr std::int64_t kOneJump = 1000000000;  // [ns]
+
+auto order(const Fix& fix) {
+  return std::make_tuple(fix.stamp_ns, fix.antenna_in_map.x(), fix.antenna_in_map.y(),
+                         fix.odom_in_map.x(), fix.odom_in_map.y(), fix.odom_yaw_rad);
+}
+
+Position turned(double angle_rad, const Position& vector) {
+  return Eigen::Rotation2Dd(angle_rad) * vector;
+}
+
+Position antennaInOdom(const Fix& fix) {
+  return turned(-fix.odom_yaw_rad, fix.antenna_in_map - fix.odom_in_map);
+}
+
+/// Where `fix` would be by the correction of the fix before it.
+Position withoutJump(const Fix& before, const Fix& fix) {
+  return before.odom_in_map + turned(before.odom_yaw_rad, antennaInOdom(fix));
+}
+
+double turnBetween(const Fix& before, const Fix& after) {
+  return std::remainder(after.odom_yaw_rad - before.odom_yaw_rad, 2.0 * kPi);
+}
+
+/// A path on which jumps are spread, one after the other.
+class SpreadPath {
+ public:
+  explicit SpreadPath(const std::vector<Fix>& fixes)
+      : fixes_(fixes), way_(fixes.size(), 0.0), turn_(fixes.size(), 0.0) {
+    position_.reserve(fixes.size());
+    for (std::size_t i = 0; i < fixes.size(); ++i) {
+      position_.push_back(fixes[i].antenna_in_map);
+      if (i > 0) {
+        way_[i] = way_[i - 1] + (antennaInOdom(fixes[i]) - antennaInOdom(fixes[i - 1])).norm();
+      }
+    }
+  }
+
+  double wayAt(std::size_t i) const { return way_[i]; }
+  const Position& positionAt(std::size_t i) const { return position_[i]; }
+  double turnAt(std::size_t i) const { return turn_[i]; }
+
+  /// Moves the fixes before a jump, which lasts from fix `begin` to fix `end`, so that the path
+  /// comes out where `end` is.
+  /// @param since_m  way at which drift began
+  void spread(std::size_t begin, std::size_t end, double since_m) {
+    const Fix& before = fixes_[begin - 1];
+    for (std::size_t i = begin; i < end; ++i) {  // tf may be half way there
+      position_[i] = withoutJump(before, fixes_[i]);
+      turn_[i] = -turnBetween(before, fixes_[i]);
+    }
+    const Position arrival = withoutJump(before, fixes_[end]);
+    const Position target = fixes_[end].antenna_in_map;
+    const double turn_rad = turnBetween(before, fixes_[end]);
+    const double needed_m =
+        std::max((target - arrival).norm() / kMostDrift, std::abs(turn_rad) / kMostTurn);
+    const double from_m = std::min(since_m, way_[end] - needed_m);
+    const std::size_t first = lastBy(from_m, end);
+    const auto share = [&](std::size_t i) {
+      const double length_m = way_[end] - from_m;  // 0 only if a jump came to nothing
+      return length_m > 0.0 ? std::max(0.0, (way_[i] - from_m) / length_m) : 1.0;
+    };
+    const Position rigid = target + turned(turn_rad, position_[first] - arrival);
+    turnSteps(first, end, arrival, share(first) * (rigid - position_[first]),
+              [&](std::size_t i) { return share(i) * turn_rad; });
+    // Over the chain of turned steps goes what is left to the target.
+    const Position left = target - position_[end];
+    for (std::size_t i = first; i <= end && share(first) < 1.0; ++i) {
+      position_[i] += (share(i) - share(first)) / (1.0 - share(first)) * left;
+    }
+    position_[end] = target;
+    turn_[end] = 0.0;
+  }
+
+ private:
+  /// The last fix before `end` by a way, or else the first of all.
+  std::size_t lastBy(double way_m, std::size_t end) const {
+    const auto until = way_.begin() + static_cast<std::ptrdiff_t>(end);
+    const auto after = std::upper_bound(way_.begin(), until, way_m);
+    return static_cast<std::size_t>(after == way_.begin() ? 0 : after - way_.begin() - 1);
+  }
+
+  /// Turns each step of the path from `first` to `arrival`, which becomes fix `end`, by the mean of
+  /// the turns at its ends; the first fix moves by `shift`.
+  template <class Turn>
+  void turnSteps(std::size_t first, std::size_t end, const Position& arrival, const Position& shift,
+                 const Turn& turn) {
+    position_[end] = arrival;
+    Position old = position_[first];
+    position_[first] += shift;
+    turn_[first] += turn(first);
+    for (std::size_t i = first + 1; i <= end; ++i) {
+      const Position step = position_[i] - old;
+      old = position_[i];
+      position_[i] = position_[i - 1] + turned(0.5 * (turn(i - 1) + turn(i)), step);
+      turn_[i] += turn(i);
+    }
+  }
+
+  const std::vector<Fix>& fixes_;
+  std::vector<double> way_;  // driven by odometry [m]
+  std::vector<Position> position_;
+  std::vector<double> turn_;  // since the fix was made
+};
+
+}  // namespace
+
+Position PathCorrection::moved(std::int64_t stamp_ns, const Position& point_in_map) const {
+  const auto found =
+      std::lower_bound(moves_.begin(), moves_.end(), stamp_ns,
+                       [](const Move& move, std::int64_t stamp) { return move.stamp_ns < stamp; });
+  if (found == moves_.end() || found->stamp_ns != stamp_ns) {
+    return point_in_map;
+  }
+  return found->to + turned(found->turn_rad, point_in_map - found->from);
+}
+
+void OdometryAnchor::insert(const Fix& fix) {
+  const bool finite = fix.antenna_in_map.allFinite() && fix.odom_in_map.allFinite() &&
+                      std::isfinite(fix.odom_yaw_rad);
+  // The readings of a scan come one after the other and share their fix.
+  const bool repeated = !fixes_.empty() && order(fixes_.back()) == order(fix);
+  if (finite && !repeated) {
+    fixes_.push_back(fix);
+  }
+}
+
+bool OdometryAnchor::isJump(const Fix& before, const Fix& after, const Tolerance& tolerance) {
+  const double distance_m = (after.antenna_in_map - withoutJump(before, after)).norm();
+  return distance_m > tolerance.distance_m ||
+         std::abs(turnBetween(before, after)) > tolerance.turn_rad;
+}
+
+std::size_t OdometryAnchor::endOfJump(const std::vector<Fix>& fixes, std::size_t begin) const {
+  std::size_t end = begin;
+  for (std::size_t i = begin + 1;
+       i < fixes.size() && fixes[i].stamp_ns - fixes[end].stamp_ns <= kOneJump; ++i) {
+    end = isJump(fixes[i - 1], fixes[i], tolerance_) ? i : end;
+  }
+  return end;
+}
+
+PathCorrection OdometryAnchor::correction() const {
+  std::vector<Fix> fixes = fixes_;
+  std::sort(fixes.begin(), fixes.end(),
+            [](const Fix& a, const Fix& b) { return order(a) < order(b); });
+  fixes.erase(std::unique(fixes.begin(), fixes.end(),
+                          [](const Fix& a, const Fix& b) { return a.stamp_ns == b.stamp_ns; }),
+              fixes.end());
+  SpreadPath path(fixes);
+  double since_m = 0.0;  // where the way of the next jump begins
+  for (std::size_t i = 1; i < fixes.size(); ++i) {
+    if (!isJump(fixes[i - 1], fixes[i], tolerance_)) {
+      continue;
+    }
+    const std::size_t end = endOfJump(fixes, i);
+    path.spread(i, end, since_m);
+    since_m = path.wayAt(end);
+    i = end;
+  }
+  PathCorrection correction;
+  for (std::size_t i = 0; i < fixes.size(); ++i) {
+    const Position& from = fixes[i].antenna_in_map;
+    if (path.positionAt(i) != from || path.turnAt(i) != 0.0) {
+      correction.moves_.push_back({fixes[i].stamp_ns, from, path.positionAt(i), path.turnAt(i)});
+    }
+  }
+  return correction;
+}
+
+}  // namespace sfw

@@ -1,0 +1,106 @@
+#include "radio/nearest_places.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sfw {
+namespace {
+
+/// Edge of a cell, in spacings of the places: with four of them in a cell, searches among few of
+/// the places look at few cells, and those among all at few places.
+constexpr double kCellEdge = 2.0;
+
+}  // namespace
+
+NearestPlaces::NearestPlaces(const std::vector<Position>& places)
+    : places_(places), next_(places.size(), -1) {
+  Box box;
+  for (const Position& place : places) {
+    box.extend(place);
+  }
+  if (!box.isEmpty()) {
+    const auto count = static_cast<double>(places.size());
+    const Position size = box.sizes();
+    least_ = box.min();
+    // The second bounds the number of cells where all places lie on a line.
+    const double edge =
+        kCellEdge * std::max(std::sqrt(size.prod() / count), size.maxCoeff() / count);
+    edge_ = edge > 0.0 ? edge : 1.0;
+    width_ = cellOf(box.max().x(), least_.x()) + 1;
+    height_ = cellOf(box.max().y(), least_.y()) + 1;
+  }
+  first_.assign(static_cast<std::size_t>(width_ * height_), -1);
+}
+
+std::int64_t NearestPlaces::cellOf(double coordinate, double least) const {
+  return static_cast<std::int64_t>(std::floor((coordinate - least) / edge_));
+}
+
+void NearestPlaces::enter(int place) {
+  const Position& position = places_[static_cast<std::size_t>(place)];
+  int& first = first_[static_cast<std::size_t>(cellOf(position.y(), least_.y()) * width_ +
+                                               cellOf(position.x(), least_.x()))];
+  next_[static_cast<std::size_t>(place)] = first;
+  first = place;
+}
+
+void NearestPlaces::lookIn(std::int64_t x, std::int64_t y, const Position& to, std::size_t count) {
+  for (int place = first_[static_cast<std::size_t>(y * width_ + x)]; place >= 0;
+       place = next_[static_cast<std::size_t>(place)]) {
+    const std::pair<double, int> one((places_[static_cast<std::size_t>(place)] - to).squaredNorm(),
+                                     place);
+    if (found_.size() == count && !(one < found_.back())) {
+      continue;
+    }
+    if (found_.size() < count) {
+      found_.emplace_back();
+    }
+    std::size_t at = found_.size() - 1;
+    for (; at > 0 && one < found_[at - 1]; --at) {
+      found_[at] = found_[at - 1];
+    }
+    found_[at] = one;
+  }
+}
+
+void NearestPlaces::lookInRing(std::int64_t x, std::int64_t y, std::int64_t ring,
+                               const Position& to, std::size_t count) {
+  const std::int64_t bottom = std::max<std::int64_t>(y - ring, 0);
+  const std::int64_t top = std::min(y + ring, height_ - 1);
+  for (std::int64_t row = bottom; row <= top; ++row) {
+    // The lowest and highest rows are whole, the others have two ends.
+    if (row == y - ring || row == y + ring) {
+      const std::int64_t right = std::min(x + ring, width_ - 1);
+      for (std::int64_t column = std::max<std::int64_t>(x - ring, 0); column <= right; ++column) {
+        lookIn(column, row, to, count);
+      }
+      continue;
+    }
+    for (const std::int64_t column : {x - ring, x + ring}) {
+      if (column >= 0 && column < width_) {
+        lookIn(column, row, to, count);
+      }
+    }
+  }
+}
+
+const std::vector<std::pair<double, int>>& NearestPlaces::nearest(const Position& to,
+                                                                  std::size_t count) {
+  found_.clear();
+  const std::int64_t x = cellOf(to.x(), least_.x());
+  const std::int64_t y = cellOf(to.y(), least_.y());
+  const std::int64_t last =
+      std::max({std::abs(x), std::abs(y), std::abs(width_ - 1 - x), std::abs(height_ - 1 - y)});
+  for (std::int64_t ring = 0; ring <= last && count > 0; ++ring) {
+    lookInRing(x, y, ring, to, count);
+    // What is not seen yet is farther than all rings, but for rounding.
+    constexpr double kRounding = 1e-6;
+    const double seen = (static_cast<double>(ring) - kRounding) * edge_;
+    if (found_.size() == count && seen > 0.0 && found_.back().first < seen * seen) {
+      break;
+    }
+  }
+  return found_;
+}
+
+}  // namespace sfw

@@ -1,0 +1,215 @@
+#include "ros/conversion/markers.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "output/map_picture.h"
+#include "ros/conversion/message_conversion.h"
+
+namespace sfw {
+namespace {
+
+constexpr Colour kViolet{0.75, 0.20, 0.90};  // legible on free and occupied cells alike
+constexpr Colour kOrange{0.95, 0.40, 0.00};  // likewise, and told from violet
+constexpr double kAboveMap = 0.03;           // [m]
+constexpr double kLetterHeight = 0.3;        // [m]
+constexpr double kDeviations = 2.0;          // that an ellipse reaches
+
+std_msgs::ColorRGBA toColour(const Colour& colour, float opacity = 1.0F) {
+  std_msgs::ColorRGBA message;
+  message.r = static_cast<float>(colour[0]);
+  message.g = static_cast<float>(colour[1]);
+  message.b = static_cast<float>(colour[2]);
+  message.a = opacity;
+  return message;
+}
+
+visualization_msgs::Marker marker(const std_msgs::Header& header, const char* name, int id,
+                                  int type, double size, const Colour& colour) {
+  visualization_msgs::Marker message;
+  message.header = header;
+  message.ns = name;
+  message.id = id;
+  message.type = type;
+  message.pose.orientation.w = 1.0;
+  message.scale.x = message.scale.y = message.scale.z = size;
+  message.color = toColour(colour);
+  return message;
+}
+
+visualization_msgs::Marker label(const std_msgs::Header& header, const char* name, int id,
+                                 const std::string& text, const geometry_msgs::Point& at,
+                                 const Colour& colour) {
+  visualization_msgs::Marker message =
+      marker(header, name, id, visualization_msgs::Marker::TEXT_VIEW_FACING, kLetterHeight, colour);
+  message.text = text;
+  message.pose.position = at;
+  return message;
+}
+
+visualization_msgs::Marker pathMarker(const Snapshot& snapshot, const std_msgs::Header& header) {
+  constexpr double kDot = 0.08;  // [m]
+  visualization_msgs::Marker dots =
+      marker(header, "path", 0, visualization_msgs::Marker::SPHERE_LIST, kDot, {1.0, 1.0, 1.0});
+  for (const PathPose& pose : snapshot.path) {
+    dots.points.push_back(toPoint(pose.antenna_in_map, kAboveMap));
+    dots.colors.push_back(toColour(wallCountColour(pose.walls)));
+  }
+  return dots;
+}
+
+/// Half axes of the ellipse of an estimate, and how its longer one lies.
+struct Ellipse {
+  double longer_m;
+  double shorter_m;
+  double yaw_rad;
+};
+
+Ellipse ellipseOf(const AccessPointEstimate& estimate) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(estimate.covariance);  // by size
+  const Eigen::Vector2d half = kDeviations * axes.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+  const Eigen::Vector2d along = axes.eigenvectors().col(1);
+  return {half.y(), half.x(), std::atan2(along.y(), along.x())};
+}
+
+visualization_msgs::Marker ellipseMarker(const AccessPointSummary& summary,
+                                         const std_msgs::Header& header, int id) {
+  constexpr double kThinnest = 0.05;  // [m]
+  constexpr float kFaint = 0.15F;
+  const Ellipse ellipse = ellipseOf(*summary.estimate);
+  visualization_msgs::Marker disc =
+      marker(header, "uncertainty", id, visualization_msgs::Marker::CYLINDER, kAboveMap, kViolet);
+  disc.pose.position = toPoint(summary.access_point.position, kAboveMap);
+  disc.pose.orientation.z = std::sin(0.5 * ellipse.yaw_rad);
+  disc.pose.orientation.w = std::cos(0.5 * ellipse.yaw_rad);
+  disc.scale.x = std::max(2.0 * ellipse.longer_m, kThinnest);
+  disc.scale.y = std::max(2.0 * ellipse.shorter_m, kThinnest);
+  disc.color = toColour(kViolet, kFaint);
+  return disc;
+}
+
+/// From where a suspect access point is said to stand to where it seems to.
+visualization_msgs::Marker doubtMarker(const AccessPointSummary& summary,
+                                       const std_msgs::Header& header, int id, double height) {
+  constexpr double kLine = 0.05;  // [m]
+  visualization_msgs::Marker line =
+      marker(header, "doubts", id, visualization_msgs::Marker::LINE_LIST, kLine, kOrange);
+  line.points = {toPoint(summary.access_point.position, height),
+                 toPoint(summary.fit->estimate.position, height)};
+  return line;
+}
+
+std::string inMetres(const char* format, double metres) {
+  char text[96];
+  std::snprintf(text, sizeof text, format, metres);
+  return text;
+}
+
+bool isSuspect(const AccessPointSummary& summary) { return summary.fit && summary.fit->suspect; }
+
+std::string labelOf(const AccessPointSummary& summary) {
+  const AccessPoint& access_point = summary.access_point;
+  std::string text = access_point.name.empty() ? access_point.bssid.str() : access_point.name;
+  if (summary.estimate) {
+    text += inMetres("\nestimated, ± %.1f m", ellipseOf(*summary.estimate).longer_m);
+    text += summary.estimate->ambiguous ? "\none place of several" : "";
+  } else if (isSuspect(summary)) {
+    text += inMetres("\nsounds as if %.1f m away", summary.fit->distance);
+  }
+  return text;
+}
+
+/// Beside an access point, its lines clear of it.
+visualization_msgs::Marker nameMarker(const AccessPointSummary& summary,
+                                      const std_msgs::Header& header, int id,
+                                      const geometry_msgs::Point& above) {
+  const std::string text = labelOf(summary);
+  const auto more_lines = static_cast<double>(std::count(text.begin(), text.end(), '\n'));
+  geometry_msgs::Point at = above;
+  at.y += 0.4 + 0.5 * kLetterHeight * more_lines;
+  return label(header, "names", id, text, at, isSuspect(summary) ? kOrange : kViolet);
+}
+
+bool shareAPlace(const AccessPointSummary& a, const AccessPointSummary& b) {
+  return isPlaced(a) && isPlaced(b) && a.access_point.position == b.access_point.position;
+}
+
+/// Which of the radios at one place, which follow each other in the table, its label is of: the
+/// first that is suspect, or else the first. Nothing if the place has its label.
+const AccessPointSummary* labelled(const std::vector<AccessPointSummary>& all, std::size_t first) {
+  if (first > 0 && shareAPlace(all[first - 1], all[first])) {
+    return nullptr;
+  }
+  for (std::size_t i = first; i < all.size() && shareAPlace(all[first], all[i]); ++i) {
+    if (isSuspect(all[i])) {
+      return &all[i];
+    }
+  }
+  return &all[first];
+}
+
+void addAccessPoints(const Snapshot& snapshot, const std_msgs::Header& header,
+                     visualization_msgs::MarkerArray& array) {
+  constexpr double kBall = 0.3;         // [m]
+  constexpr double kUsualHeight = 1.0;  // [m], where the table gives none
+  std::vector<visualization_msgs::Marker>& markers = array.markers;
+  for (std::size_t i = 0; i < snapshot.access_points.size(); ++i) {
+    const AccessPointSummary& summary = snapshot.access_points[i];
+    if (!isPlaced(summary)) {
+      continue;
+    }
+    const AccessPoint& access_point = summary.access_point;
+    const double height = access_point.height_m.value_or(kUsualHeight);
+    const int id = static_cast<int>(i);
+    markers.push_back(marker(header, "access_points", id, visualization_msgs::Marker::SPHERE, kBall,
+                             isSuspect(summary) ? kOrange : kViolet));
+    markers.back().pose.position = toPoint(access_point.position, height);
+    if (const AccessPointSummary* const named = labelled(snapshot.access_points, i)) {
+      markers.push_back(
+          nameMarker(*named, header, id, toPoint(access_point.position, height + kBall)));
+    }
+    if (summary.estimate) {
+      markers.push_back(ellipseMarker(summary, header, id));
+    }
+    if (isSuspect(summary)) {
+      markers.push_back(doubtMarker(summary, header, id, height));
+    }
+  }
+}
+
+void addLegend(const Snapshot& snapshot, const std_msgs::Header& header,
+               visualization_msgs::MarkerArray& markers) {
+  int most = -1;
+  Box area;
+  for (const PathPose& pose : snapshot.path) {
+    most = std::max(most, pose.walls);
+    area.extend(pose.antenna_in_map);
+  }
+  for (int walls = 0; walls <= most; ++walls) {
+    const Position at(area.min().x() + 1.1 * walls, area.min().y() - 1.0);
+    markers.markers.push_back(label(header, "legend", walls, "k = " + std::to_string(walls),
+                                    toPoint(at, 0.1), wallCountColour(walls)));
+  }
+}
+
+}  // namespace
+
+visualization_msgs::MarkerArray toMarkers(const Snapshot& snapshot,
+                                          const std_msgs::Header& header) {
+  visualization_msgs::MarkerArray markers;
+  visualization_msgs::Marker clear;
+  clear.header = header;
+  clear.action = visualization_msgs::Marker::DELETEALL;
+  markers.markers.push_back(clear);
+  if (!snapshot.path.empty()) {
+    markers.markers.push_back(pathMarker(snapshot, header));
+  }
+  addAccessPoints(snapshot, header, markers);
+  addLegend(snapshot, header, markers);
+  return markers;
+}
+
+}  // namespace sfw

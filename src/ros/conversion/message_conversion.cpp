@@ -1,0 +1,153 @@
+#include "ros/conversion/message_conversion.h"
+
+#include <octomap/OcTree.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "structure_from_wifi/octomap_export.h"
+
+namespace sfw {
+namespace {
+
+constexpr std::int8_t kUnknownCell = -1;
+constexpr std::int8_t kFreeCell = 0;
+constexpr std::int8_t kOccupiedCell = 100;
+
+std::int8_t toCell(CellState state) {
+  switch (state) {
+    case CellState::kFree:
+      return kFreeCell;
+    case CellState::kOccupied:
+      return kOccupiedCell;
+    case CellState::kUnknown:
+      break;
+  }
+  return kUnknownCell;
+}
+
+/// A grid message of `value(cell)`.
+template <class Value>
+nav_msgs::OccupancyGrid toGrid(const GridGeometry& geometry, const std_msgs::Header& header,
+                               Value&& value) {
+  nav_msgs::OccupancyGrid message;
+  message.header = header;
+  message.info = toMetaData(geometry, header.stamp);
+  message.data.reserve(geometry.size());
+  Cell c;
+  for (c.y = 0; c.y < geometry.height(); ++c.y) {
+    for (c.x = 0; c.x < geometry.width(); ++c.x) {
+      message.data.push_back(value(c));
+    }
+  }
+  return message;
+}
+
+/// As the table gives it, exactly there, or as estimated; nowhere (NaN) if it could not be placed.
+structure_from_wifi::AccessPoint toMessage(const AccessPointSummary& summary) {
+  const AccessPoint& access_point = summary.access_point;
+  structure_from_wifi::AccessPoint message;
+  message.bssid = access_point.bssid.str();
+  message.name = access_point.name;
+  message.position = toPoint(access_point.position, access_point.height_m.value_or(0.0));
+  if (summary.estimate) {
+    message.estimated = 1;
+    const Eigen::Matrix2d& covariance = summary.estimate->covariance;
+    message.covariance = {covariance(0, 0), covariance(0, 1), covariance(1, 0), covariance(1, 1)};
+  } else if (!isPlaced(summary)) {
+    message.position.x = message.position.y = std::numeric_limits<double>::quiet_NaN();
+  }
+  message.readings = static_cast<std::uint32_t>(summary.readings);
+  constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+  message.fit_db = kNone;
+  message.seems_to_stand_at = toPoint(Position(kNone, kNone), message.position.z);
+  if (summary.fit) {
+    message.fit_db = static_cast<float>(summary.fit->residual_db);
+    message.suspect = summary.fit->suspect ? 1 : 0;
+    message.seems_to_stand_at = toPoint(summary.fit->estimate.position, message.position.z);
+  }
+  return message;
+}
+
+octomap_msgs::Octomap toOctomap(const octomap::OcTree& tree, const std_msgs::Header& header,
+                                bool binary, const std::string& bytes) {
+  octomap_msgs::Octomap message;
+  message.header = header;
+  message.binary = binary ? 1 : 0;
+  message.id = tree.getTreeType();
+  message.resolution = tree.getResolution();
+  message.data.assign(bytes.begin(), bytes.end());
+  return message;
+}
+
+}  // namespace
+
+geometry_msgs::Point toPoint(const Position& position, double z) {
+  geometry_msgs::Point point;
+  point.x = position.x();
+  point.y = position.y();
+  point.z = z;
+  return point;
+}
+
+nav_msgs::MapMetaData toMetaData(const GridGeometry& geometry, const ros::Time& load_time) {
+  nav_msgs::MapMetaData info;
+  info.map_load_time = load_time;
+  info.resolution = static_cast<float>(geometry.resolution());
+  info.width = static_cast<std::uint32_t>(geometry.width());
+  info.height = static_cast<std::uint32_t>(geometry.height());
+  info.origin.position = toPoint(geometry.origin(), 0.0);
+  info.origin.orientation.w = 1.0;
+  return info;
+}
+
+nav_msgs::OccupancyGrid toTrinaryGrid(const BeliefMap& belief, const std_msgs::Header& header) {
+  return toGrid(belief.geometry(), header, [&](Cell c) { return toCell(belief.state(c)); });
+}
+
+nav_msgs::OccupancyGrid toTrinaryGrid(const Grid<CellState>& states,
+                                      const std_msgs::Header& header) {
+  return toGrid(states.geometry, header, [&](Cell c) { return toCell(states[c]); });
+}
+
+nav_msgs::OccupancyGrid toProbabilityGrid(const BeliefMap& belief, const std_msgs::Header& header) {
+  return toGrid(belief.geometry(), header, [&](Cell c) {
+    return belief.known(c) ? static_cast<std::int8_t>(std::lround(100.0F * belief.occupied(c)))
+                           : kUnknownCell;
+  });
+}
+
+nav_msgs::Path toPath(const Snapshot& snapshot, const std_msgs::Header& header) {
+  nav_msgs::Path path;
+  path.header = header;
+  for (const PathPose& pose : snapshot.path) {
+    geometry_msgs::PoseStamped stamped;
+    stamped.header.frame_id = header.frame_id;
+    stamped.header.stamp.fromNSec(static_cast<std::uint64_t>(pose.stamp_ns));
+    stamped.pose.position = toPoint(pose.antenna_in_map, 0.0);
+    stamped.pose.orientation.w = 1.0;
+    path.poses.push_back(stamped);
+  }
+  return path;
+}
+
+structure_from_wifi::AccessPoints toAccessPoints(const Snapshot& snapshot,
+                                                 const std_msgs::Header& header) {
+  structure_from_wifi::AccessPoints message;
+  message.header = header;
+  for (const AccessPointSummary& summary : snapshot.access_points) {
+    message.access_points.push_back(toMessage(summary));
+  }
+  return message;
+}
+
+octomap_msgs::Octomap toBinaryOctomap(const octomap::OcTree& tree, const std_msgs::Header& header) {
+  return toOctomap(tree, header, true, encodeBinaryMessage(tree));
+}
+
+octomap_msgs::Octomap toFullOctomap(const octomap::OcTree& tree, const std_msgs::Header& header) {
+  return toOctomap(tree, header, false, encodeFullMessage(tree));
+}
+
+}  // namespace sfw

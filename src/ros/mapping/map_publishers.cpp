@@ -1,0 +1,74 @@
+#include "ros/mapping/map_publishers.h"
+
+#include <nav_msgs/Path.h>
+#include <octomap/OcTree.h>
+#include <octomap_msgs/Octomap.h>
+#include <structure_from_wifi/AccessPoints.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include "ros/conversion/markers.h"
+#include "ros/conversion/message_conversion.h"
+#include "structure_from_wifi/octomap_export.h"
+
+namespace sfw {
+
+MapPublishers::MapPublishers(ros::NodeHandle& node, const Config& config) : config_(config) {
+  constexpr bool kLatched = true;
+  map_ = node.advertise<nav_msgs::OccupancyGrid>("map", 1, kLatched);
+  metadata_ = node.advertise<nav_msgs::MapMetaData>("map_metadata", 1, kLatched);
+  probability_ = node.advertise<nav_msgs::OccupancyGrid>("map_probability", 1, kLatched);
+  markers_ = node.advertise<visualization_msgs::MarkerArray>("markers", 1, kLatched);
+  path_ = node.advertise<nav_msgs::Path>("path", 1, kLatched);
+  access_points_ = node.advertise<structure_from_wifi::AccessPoints>("access_points", 1, kLatched);
+  const auto connected = [this](const ros::SingleSubscriberPublisher&) { octomap_due_ = true; };
+  octomap_binary_ =
+      node.advertise<octomap_msgs::Octomap>("octomap_binary", 1, connected, {}, {}, kLatched);
+  octomap_full_ =
+      node.advertise<octomap_msgs::Octomap>("octomap_full", 1, connected, {}, {}, kLatched);
+}
+
+void MapPublishers::publish(const std::shared_ptr<const Snapshot>& snapshot) {
+  std_msgs::Header header;
+  header.frame_id = config_.ros.map_frame;
+  header.stamp = ros::Time::now();
+  const auto published = std::make_shared<const PublishedMap>(
+      PublishedMap{snapshot, toTrinaryGrid(snapshot->belief, header)});
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    last_ = published;
+  }
+  map_.publish(published->grid);
+  metadata_.publish(published->grid.info);
+  probability_.publish(toProbabilityGrid(snapshot->belief, header));
+  path_.publish(toPath(*snapshot, header));
+  markers_.publish(toMarkers(*snapshot, header));
+  access_points_.publish(toAccessPoints(*snapshot, header));
+  octomap_due_ = true;
+}
+
+void MapPublishers::publishDueOctomaps() {
+  const bool listened_to =
+      octomap_binary_.getNumSubscribers() > 0 || octomap_full_.getNumSubscribers() > 0;
+  const std::shared_ptr<const PublishedMap> map = last();
+  if (map && listened_to && octomap_due_.exchange(false) &&
+      octomapReaches(map->snapshot->belief.geometry())) {
+    publishOctomap(*map);
+  }
+}
+
+std::shared_ptr<const PublishedMap> MapPublishers::last() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return last_;
+}
+
+void MapPublishers::publishOctomap(const PublishedMap& map) {
+  const auto tree = toOctomap(map.snapshot->belief, config_.octomap);
+  if (octomap_binary_.getNumSubscribers() > 0) {
+    octomap_binary_.publish(toBinaryOctomap(*tree, map.grid.header));
+  }
+  if (octomap_full_.getNumSubscribers() > 0) {
+    octomap_full_.publish(toFullOctomap(*tree, map.grid.header));
+  }
+}
+
+}  // namespace sfw

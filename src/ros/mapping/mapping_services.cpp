@@ -1,0 +1,128 @@
+// What the mapping nodelet answers when it is called.
+
+#include <octomap/OcTree.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "ros/conversion/message_conversion.h"
+#include "ros/mapping/mapping_nodelet.h"
+#include "structure_from_wifi/map_files.h"
+#include "structure_from_wifi/map_notes.h"
+#include "structure_from_wifi/octomap_export.h"
+
+namespace sfw {
+namespace {
+
+/// A directory's name that cannot lead out of its parent: letters, digits, '.', '_' and '-'.
+bool isPlainName(const std::string& name) {
+  constexpr char kAllowed[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-";
+  constexpr std::size_t kLongest = 200;
+  return !name.empty() && name.size() <= kLongest && name.front() != '.' &&
+         name.find_first_not_of(kAllowed) == std::string::npos;
+}
+
+std::string withHome(const std::string& directory) {
+  const char* home = std::getenv("HOME");
+  const bool starts_at_home = directory.compare(0, 2, "~/") == 0;
+  return starts_at_home && home != nullptr ? home + directory.substr(1) : directory;
+}
+
+/// Whether a recording was saved there that is not empty.
+bool holdsReadings(const std::string& directory) {
+  std::ifstream file(directory + "/readings.csv");
+  std::string line;
+  return std::getline(file, line) && std::getline(file, line);
+}
+
+}  // namespace
+
+void MappingNodelet::advertiseServices() {
+  ros::NodeHandle node = getNodeHandle();
+  ros::NodeHandle private_node = getPrivateNodeHandle();
+  using Map = nav_msgs::GetMap;
+  using Octomap = octomap_msgs::GetOctomap;
+  using Save = structure_from_wifi::SaveMap;
+  using Trigger = std_srvs::Trigger;
+  node.setCallbackQueue(&quick_calls_);
+  private_node.setCallbackQueue(&quick_calls_);
+  servers_.push_back(node.advertiseService<Map::Request, Map::Response>(
+      "dynamic_map", [this](auto&, auto& response) { return serveMap(response); }));
+  servers_.push_back(private_node.advertiseService<Trigger::Request, Trigger::Response>(
+      "reset", [this](auto&, auto& response) { return reset(response); }));
+  node.setCallbackQueue(&slow_calls_);
+  private_node.setCallbackQueue(&slow_calls_);
+  servers_.push_back(node.advertiseService<Octomap::Request, Octomap::Response>(
+      "octomap_binary", [this](auto&, auto& response) { return serveOctomap(true, response); }));
+  servers_.push_back(node.advertiseService<Octomap::Request, Octomap::Response>(
+      "octomap_full", [this](auto&, auto& response) { return serveOctomap(false, response); }));
+  servers_.push_back(private_node.advertiseService<Save::Request, Save::Response>(
+      "save_map", [this](auto& request, auto& response) { return saveMap(request, response); }));
+}
+
+bool MappingNodelet::serveMap(nav_msgs::GetMap::Response& response) {
+  response.map = publishers_->last()->grid;
+  return true;
+}
+
+bool MappingNodelet::reset(std_srvs::Trigger::Response& response) {
+  // A map of what was before may be in the making: it is not published any more.
+  const std::lock_guard<std::mutex> lock(publishing_);
+  mapper_->reset();
+  queue_->clear();
+  forget_told_ = true;
+  const std::shared_ptr<const Snapshot> empty = mapper_->corrected({}).mapper.infer(stop_);
+  if (empty) {
+    publishers_->publish(empty);
+    response.success = 1;
+  }
+  return true;
+}
+
+bool MappingNodelet::serveOctomap(bool binary, octomap_msgs::GetOctomap::Response& response) {
+  const std::shared_ptr<const PublishedMap> map = publishers_->last();
+  if (!octomapReaches(map->snapshot->belief.geometry())) {
+    NODELET_ERROR("OctoMap does not reach to this map: see the notes of save_map");
+    return false;
+  }
+  const auto tree = toOctomap(map->snapshot->belief, config_.octomap);
+  response.map =
+      binary ? toBinaryOctomap(*tree, map->grid.header) : toFullOctomap(*tree, map->grid.header);
+  return true;
+}
+
+bool MappingNodelet::saveMap(const structure_from_wifi::SaveMap::Request& request,
+                             structure_from_wifi::SaveMap::Response& response) {
+  response.success = 0;
+  if (!isPlainName(request.directory)) {
+    response.message =
+        "directory must be a plain name: letters, digits, '.', '_', '-', not starting with '.'";
+    return true;
+  }
+  const std::string directory = withHome(config_.ros.save_directory) + "/" + request.directory;
+  try {
+    placeObservations();
+    const Mapping mapping = publishMap(Judging::kAll);
+    if (!mapping.snapshot) {
+      response.message = "mapping is shutting down";
+      return true;
+    }
+    const Mapper& mapper = mapping.copy.mapper;
+    if (mapper.readings().empty() && holdsReadings(directory)) {
+      response.message = "nothing has been heard: the recording in " + directory + " stays";
+      return true;
+    }
+    for (const MapNote& note : mapNotes(*mapping.snapshot)) {
+      NODELET_WARN_STREAM(note.text);
+    }
+    writeRecording(mapper.readings(), mapper.contacts(), *mapping.snapshot, directory);
+    writeMapFiles(*mapping.snapshot, config_, directory);
+    response.success = 1;
+    response.message = directory;
+  } catch (const std::exception& error) {
+    response.message = error.what();
+  }
+  return true;
+}
+
+}  // namespace sfw

@@ -1,0 +1,56 @@
+#include "ros/mapping/shared_mapper.h"
+
+#include <utility>
+
+namespace sfw {
+
+SharedMapper::SharedMapper(const Config& config, const std::vector<AccessPoint>& access_points)
+    : mapper_(config, access_points), anchor_(jumpTolerance(config.ros)) {}
+
+void SharedMapper::insert(const PlacedObservation& observation) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  sfw::insert(observation, mapper_, anchor_);
+}
+
+void SharedMapper::leaveOut(const std::string& reason, std::size_t count) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  mapper_.leaveOut(reason, count);
+}
+
+void SharedMapper::reset() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  mapper_.reset();
+  anchor_.clear();
+  ++resets_;
+}
+
+std::map<Insertion, std::size_t> SharedMapper::rejectionCounts() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return mapper_.rejections().count;
+}
+
+std::uint64_t SharedMapper::resets() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return resets_;
+}
+
+SharedMapper::Copy SharedMapper::corrected(const std::optional<Fix>& latest) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  Copy copy{mapper_, resets_};
+  OdometryAnchor anchor = anchor_;
+  lock.unlock();
+  // Not kept: it depends on the moment of asking, and the map must not.
+  if (latest && anchor.size() > 0) {
+    anchor.insert(*latest);
+  }
+  const PathCorrection correction = anchor.correction();
+  copy.mapper.correct(correction);
+  if (!correction.empty()) {
+    const Box extent = copy.mapper.extent();
+    lock.lock();
+    mapper_.growTo(extent);
+  }
+  return copy;
+}
+
+}  // namespace sfw

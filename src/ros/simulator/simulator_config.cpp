@@ -1,0 +1,205 @@
+#include "ros/simulator/simulator_config.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <cstdio>
+#include <set>
+
+#include "simulation/radio/noise_level.h"
+#include "structure_from_wifi/input_error.h"
+#include "structure_from_wifi/settings_io.h"
+
+namespace sfw {
+namespace {
+
+constexpr char kAccessPointsKey[] = "access_points";
+
+const char* typeName(bool) { return "true or false"; }
+const char* typeName(double) { return "a number"; }
+const char* typeName(std::int64_t) { return "a whole number"; }
+const char* typeName(const std::string&) { return "a text"; }
+
+/// The value at a path such as "radio/exponent"; undefined if there is none.
+YAML::Node find(const YAML::Node& tree, const std::string& path) {
+  const std::size_t slash = path.find('/');
+  if (!tree.IsMap()) {
+    return YAML::Node(YAML::NodeType::Undefined);
+  }
+  const YAML::Node child = tree[path.substr(0, slash)];
+  return !child || slash == std::string::npos ? child : find(child, path.substr(slash + 1));
+}
+
+/// Every path under a node that leads to a value.
+void addLeaves(const YAML::Node& node, const std::string& path, std::set<std::string>& leaves) {
+  if (!node.IsMap()) {
+    leaves.insert(path);
+    return;
+  }
+  for (const auto& entry : node) {
+    const auto key = entry.first.as<std::string>();
+    addLeaves(entry.second, path.empty() ? key : path + "/" + key, leaves);
+  }
+}
+
+/// Collects what is wrong with settings.
+class Problems {
+ public:
+  void add(const std::string& problem) { text_ += (text_.empty() ? "" : "\n") + problem; }
+
+  void requireIn(double value, double low, double high, const char* name) {
+    if (!(value >= low && value <= high)) {
+      char text[96];
+      std::snprintf(text, sizeof text, "%s must lie in %g..%g", name, low, high);
+      add(text);
+    }
+  }
+
+  void throwIfAny() const {
+    if (!text_.empty()) {
+      throw InputError(text_);
+    }
+  }
+
+ private:
+  std::string text_;
+};
+
+void checkBuilding(const SimulatorConfig& config, Problems& problems) {
+  if (!config.plan.empty() && !config.generate.empty()) {
+    problems.add("plan and generate exclude each other: leave one of them empty");
+  }
+  if (config.plan.empty() && config.generate.empty()) {
+    problems.add(
+        "plan must name a file (map_server YAML, HouseExpo JSON or PNG), or else generate must be "
+        "flat or office");
+  }
+  if (!config.generate.empty() && config.generate != "flat" && config.generate != "office") {
+    problems.add("generate must be flat or office");
+  }
+  problems.requireIn(config.resolution, 0.01, 0.1, "resolution");
+  problems.requireIn(config.metres_per_pixel, 0.0, 10.0, "metres_per_pixel");
+  problems.requireIn(config.area, 30.0, 400.0, "area");
+  problems.requireIn(static_cast<double>(config.access_point_count), 1.0, 100.0,
+                     "access_point_count");
+}
+
+void checkDrive(const SimulatorConfig& config, Problems& problems) {
+  if (config.route.empty()) {
+    problems.add("route must be walls, sparse or a CSV file with the columns x, y");
+  }
+  if (config.drive != "route" && config.drive != "cmd_vel") {
+    problems.add("drive must be route or cmd_vel");
+  }
+  const SimulatedRobot::Config& robot = config.robot;
+  problems.requireIn(robot.max_speed, 0.01, 10.0, "speed");
+  problems.requireIn(robot.max_yaw_rate, 0.01, 100.0, "yaw_rate");
+  problems.requireIn(robot.radius, 0.01, 10.0, "robot_radius");
+  problems.requireIn(robot.acceleration, 0.01, 1000.0, "acceleration");
+  problems.requireIn(robot.yaw_acceleration, 0.01, 10000.0, "yaw_acceleration");
+  problems.requireIn(robot.command_timeout, 0.0, 3600.0, "command_timeout");
+}
+
+void checkTime(const SimulatorConfig& config, Problems& problems) {
+  problems.requireIn(config.tf_rate, 1.0, 1000.0, "tf_rate");
+  problems.requireIn(config.scan_rate, 0.01, 1000.0, "scan_rate");
+  if (config.scan_rate > config.tf_rate) {
+    problems.add("scan_rate must not exceed tf_rate: each scan is stamped with a transform's time");
+  }
+  problems.requireIn(config.time_scale, 0.01, 100.0, "time_scale");
+  if (config.time_scale != 1.0 && !config.publish_clock) {
+    problems.add("time_scale must be 1 unless publish_clock is true");
+  }
+  problems.requireIn(config.start_delay, 0.0, 3600.0, "start_delay");
+}
+
+void checkFrames(const SimulatorConfig& config, Problems& problems) {
+  constexpr double kFar = 1e6;  // metres; nothing beyond is a building
+  constexpr double kTurn = 10.0;
+  const auto require_frame = [&](const std::string& frame, const char* name) {
+    if (frame.empty() || frame.front() == '/') {
+      problems.add(std::string(name) + " must be a frame's name without a leading slash");
+    }
+  };
+  require_frame(config.map_frame, "map_frame");
+  require_frame(config.odom_frame, "odom_frame");
+  require_frame(config.base_frame, "base_frame");
+  if (config.map_frame == config.odom_frame || config.odom_frame == config.base_frame ||
+      config.map_frame == config.base_frame) {
+    problems.add("map_frame, odom_frame and base_frame must differ");
+  }
+  problems.requireIn(config.odom.x, -kFar, kFar, "odom/x");
+  problems.requireIn(config.odom.y, -kFar, kFar, "odom/y");
+  problems.requireIn(config.odom.yaw, -kTurn, kTurn, "odom/yaw");
+}
+
+/// Reads what stands in the tree over what stands in the configuration.
+void readSettings(const YAML::Node& tree, SimulatorConfig& config, Problems& problems) {
+  forEachSimulatorSetting(config, [&](const char* name, auto& value) {
+    const YAML::Node node = find(tree, name);
+    auto given = value;  // decode() spoils its target when it fails
+    if (node && !YAML::convert<decltype(given)>::decode(node, given)) {
+      problems.add(std::string(name) + " must be " + typeName(value));
+    } else if (node) {
+      value = given;
+    }
+  });
+}
+
+/// A configuration with the settings of the noise level that a tree of parameters names.
+SimulatorConfig withNoiseLevel(const YAML::Node& tree, Problems& problems) {
+  SimulatorConfig named;
+  Problems reported_later;
+  readSettings(tree, named, reported_later);
+  SimulatorConfig config;
+  if (!named.noise.empty()) {
+    try {
+      config.signals = levelConfig(parseNoiseLevel(named.noise), named.signals.radio.seed);
+    } catch (const InputError& error) {
+      problems.add(std::string("noise: ") + error.what());
+    }
+  }
+  return config;
+}
+
+}  // namespace
+
+SimulatorConfig simulatorConfigFromYaml(const YAML::Node& tree) {
+  Problems problems;
+  SimulatorConfig config = withNoiseLevel(tree, problems);
+  readSettings(tree, config, problems);
+  if (const YAML::Node table = find(tree, kAccessPointsKey)) {
+    try {
+      config.access_points = accessPointsFromYaml(table).access_points;
+      for (const AccessPoint& access_point : config.access_points) {
+        if (!access_point.position_known) {
+          throw InputError("access_points: " + access_point.bssid.str() +
+                           " needs x and y: a simulation does not estimate them");
+        }
+      }
+    } catch (const InputError& error) {
+      problems.add(error.what());
+    }
+  }
+  checkBuilding(config, problems);
+  checkDrive(config, problems);
+  checkTime(config, problems);
+  checkFrames(config, problems);
+  for (const std::string& problem : validate(config.signals)) {
+    problems.add(problem);
+  }
+  problems.throwIfAny();
+  return config;
+}
+
+std::vector<std::string> unknownSimulatorSettings(const YAML::Node& tree) {
+  std::set<std::string> leaves;
+  if (tree.IsMap()) {
+    addLeaves(tree, "", leaves);
+  }
+  const SimulatorConfig defaults;
+  forEachSimulatorSetting(defaults, [&](const char* name, const auto&) { leaves.erase(name); });
+  leaves.erase(kAccessPointsKey);
+  return {leaves.begin(), leaves.end()};
+}
+
+}  // namespace sfw

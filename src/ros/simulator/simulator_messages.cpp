@@ -1,0 +1,62 @@
+#include "ros/simulator/simulator_messages.h"
+
+#include <cmath>
+#include <optional>
+
+namespace sfw {
+namespace {
+
+geometry_msgs::TransformStamped transformMessage(const ros::Time& stamp, const std::string& parent,
+                                                 const std::string& child, const RobotPose& pose) {
+  geometry_msgs::TransformStamped message;
+  message.header.stamp = stamp;
+  message.header.frame_id = parent;
+  message.child_frame_id = child;
+  message.transform.translation.x = pose.position.x();
+  message.transform.translation.y = pose.position.y();
+  message.transform.rotation.z = std::sin(0.5 * pose.yaw_rad);
+  message.transform.rotation.w = std::cos(0.5 * pose.yaw_rad);
+  return message;
+}
+
+}  // namespace
+
+std_msgs::Bool boolMessage(bool value) {
+  std_msgs::Bool message;
+  message.data = value;
+  return message;
+}
+
+std::vector<geometry_msgs::TransformStamped> transformMessages(const SimulatorConfig& config,
+                                                               const PositionError& error,
+                                                               const ros::Time& stamp,
+                                                               const RobotPose& pose,
+                                                               double driven_m) {
+  const Position origin(config.odom.x, config.odom.y);
+  const double yaw = config.odom.yaw;
+  const Position drifted = pose.position + error.drift(driven_m);
+  const RobotPose odom_from_base{Eigen::Rotation2Dd(-yaw) * (drifted - origin), pose.yaw_rad - yaw};
+  const RobotPose map_from_odom{origin + error.registration(pose.position), yaw};
+  return {transformMessage(stamp, config.map_frame, config.odom_frame, map_from_odom),
+          transformMessage(stamp, config.odom_frame, config.base_frame, odom_from_base)};
+}
+
+structure_from_wifi::WifiScan scanMessage(const RadioModel& radio, const RobotPose& pose,
+                                          std::uint64_t sample) {
+  structure_from_wifi::WifiScan scan;
+  for (std::size_t i = 0; i < radio.transmitters().size(); ++i) {
+    const std::optional<double> rssi_dbm = radio.rssi(i, pose, sample);
+    if (rssi_dbm) {
+      const Transmitter& transmitter = radio.transmitters()[i];
+      structure_from_wifi::ApReading reading;
+      reading.bssid = transmitter.access_point.bssid.str();
+      reading.ssid = transmitter.access_point.name;
+      reading.rssi_dbm = static_cast<float>(*rssi_dbm);
+      reading.frequency_mhz = static_cast<float>(frequencyMhz(transmitter.band));
+      scan.readings.push_back(reading);
+    }
+  }
+  return scan;
+}
+
+}  // namespace sfw

@@ -1,0 +1,226 @@
+#include "ros/simulator/simulator_nodelet.h"
+
+#include <nav_msgs/OccupancyGrid.h>
+#include <ros/ros.h>
+#include <rosgraph_msgs/Clock.h>
+#include <std_msgs/Bool.h>
+#include <structure_from_wifi/WifiScan.h>
+
+#include <algorithm>
+#include <cmath>
+#include <pluginlib/class_list_macros.hpp>
+#include <sstream>
+
+#include "ros/conversion/message_conversion.h"
+#include "ros/conversion/parameters.h"
+#include "ros/simulator/simulator_messages.h"
+#include "ros/simulator/simulator_world.h"
+
+namespace sfw {
+namespace {
+
+/// Stamp at which a clock of our own starts: not 0, which ROS takes for no time at all.
+constexpr double kClockStart = 1000.0;
+
+/// A robot stands still for this long once it has a listener, real time: connections for tf and
+/// clock are still being made.
+constexpr std::chrono::milliseconds kSettle{1000};
+
+/// Share of a scan by which one may come early, so that rounding does not delay it by a step.
+constexpr double kRounding = 1e-9;
+
+}  // namespace
+
+SimulatorNodelet::~SimulatorNodelet() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stop_ = true;
+  }
+  stop_signal_.notify_all();
+  if (thread_.joinable()) {
+    thread_.join();
+  }
+}
+
+void SimulatorNodelet::onInit() {
+  try {
+    loadParameters();
+    makeWorld();
+    advertise();
+    thread_ = std::thread([this] { run(); });
+    if (robot_) {  // last: callbacks may come before onInit returns
+      constexpr std::uint32_t kQueue = 10;
+      command_subscriber_ =
+          getNodeHandle().subscribe("cmd_vel", kQueue, &SimulatorNodelet::receiveCommand, this);
+    }
+  } catch (const std::exception& error) {
+    std::istringstream problems(error.what());
+    for (std::string problem; std::getline(problems, problem);) {
+      NODELET_ERROR_STREAM("The simulation cannot start: " << problem);
+    }
+  }
+}
+
+void SimulatorNodelet::loadParameters() {
+  const ros::NodeHandle& parameters = getPrivateNodeHandle();
+  XmlRpc::XmlRpcValue tree;
+  parameters.getParam(parameters.getNamespace(), tree);
+  const YAML::Node settings = toYaml(tree);
+  for (const std::string& name : unknownSimulatorSettings(settings)) {
+    NODELET_WARN_STREAM(name << " is not a setting of the simulation");
+  }
+  config_ = simulatorConfigFromYaml(settings);
+}
+
+void SimulatorNodelet::makeWorld() {
+  const SimulatorWorld world = makeSimulatorWorld(config_);
+  plan_ = toStates(world.plan);
+  radio_.emplace(world.plan, asTransmitters(world.access_points), config_.signals.radio);
+  error_.emplace(config_.signals);
+  const Route route(world.way_points, config_.robot.max_speed, config_.robot.max_yaw_rate);
+  if (config_.drive == "cmd_vel") {
+    robot_.emplace(*plan_, route.poseAt(0.0), config_.robot);
+  } else {
+    route_ = route;
+  }
+}
+
+void SimulatorNodelet::advertise() {
+  ros::NodeHandle& node = getNodeHandle();
+  if (config_.publish_clock != ros::Time::isSimTime()) {
+    NODELET_WARN("publish_clock and /use_sim_time should be both true or both false");
+  }
+  start_ = config_.publish_clock ? ros::Time(kClockStart) : ros::Time(ros::WallTime::now().toSec());
+  constexpr std::uint32_t kQueue = 100;
+  constexpr bool kLatched = true;
+  if (config_.publish_clock) {
+    clock_publisher_ = node.advertise<rosgraph_msgs::Clock>("/clock", kQueue);
+  }
+  broadcaster_.emplace();
+  truth_publisher_ = node.advertise<nav_msgs::OccupancyGrid>("truth", 1, kLatched);
+  contact_publisher_ = node.advertise<std_msgs::Bool>("contact", kQueue, kLatched);
+  finished_publisher_ = node.advertise<std_msgs::Bool>("finished", 1, kLatched);
+  scan_publisher_ = node.advertise<structure_from_wifi::WifiScan>("wifi_scan", kQueue);
+  std_msgs::Header header;
+  header.frame_id = config_.map_frame;
+  header.stamp = start_;
+  truth_publisher_.publish(toTrinaryGrid(*plan_, header));
+  contact_publisher_.publish(boolMessage(false));
+  finished_publisher_.publish(boolMessage(false));
+}
+
+void SimulatorNodelet::receiveCommand(const geometry_msgs::Twist& twist) {
+  if (!std::isfinite(twist.linear.x) || !std::isfinite(twist.angular.z)) {
+    constexpr double kWarningPeriod = 10.0;  // [s]
+    NODELET_WARN_THROTTLE(kWarningPeriod, "cmd_vel: linear.x and angular.z must be finite numbers");
+    return;
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  command_ = DriveCommand{twist.linear.x, twist.angular.z};
+}
+
+void SimulatorNodelet::run() {
+  const std::chrono::duration<double> step_time(1.0 / (config_.tf_rate * config_.time_scale));
+  const auto period = std::chrono::duration_cast<WallClock::duration>(step_time);
+  WallClock::time_point due = WallClock::now();
+  deadline_ = due + std::chrono::duration_cast<WallClock::duration>(
+                        std::chrono::duration<double>(config_.start_delay));
+  try {
+    for (std::int64_t step = 0; waitUntil(due) && ros::ok(); ++step) {
+      sendStep(step);
+      due += period;
+      if (config_.publish_clock) {
+        // Our own clock may lag: after a pause of the machine a burst would overrun the listeners.
+        due = std::max(due, WallClock::now());
+      }
+    }
+  } catch (const std::exception& error) {
+    NODELET_ERROR_STREAM("The simulation has stopped: " << error.what());
+  }
+}
+
+bool SimulatorNodelet::waitUntil(WallClock::time_point time) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  return !stop_signal_.wait_until(lock, time, [this] { return stop_; });
+}
+
+void SimulatorNodelet::sendStep(std::int64_t step) {
+  const ros::Time stamp = start_ + ros::Duration(static_cast<double>(step) / config_.tf_rate);
+  const RobotPose pose = moveTo(step);
+  if (config_.publish_clock) {
+    rosgraph_msgs::Clock clock;
+    clock.clock = stamp;
+    clock_publisher_.publish(clock);
+  }
+  broadcaster_->sendTransform(transformMessages(config_, *error_, stamp, pose, driven_m_));
+  const bool contact = robot_ && robot_->contact();
+  if (contact != contact_) {
+    contact_ = contact;
+    contact_publisher_.publish(boolMessage(contact));
+  }
+  if (!departure_ || finished_) {
+    return;
+  }
+  const double driven_s = drivenTime(step);
+  if (route_ && driven_s > route_->duration()) {
+    // A step after the last scan at the earliest, so transforms on both sides of it are out.
+    finish();
+  } else if (driven_s * config_.scan_rate >= static_cast<double>(scans_) - kRounding) {
+    sendScan(stamp, pose);
+  }
+}
+
+RobotPose SimulatorNodelet::moveTo(std::int64_t step) {
+  if (robot_) {
+    departure_ = 0;
+    obeyCommands();
+    robot_->step(step > 0 ? 1.0 / config_.tf_rate : 0.0);
+    driven_m_ = robot_->drivenWay();
+    return robot_->pose();
+  }
+  if (!departure_ && mayDepart()) {
+    departure_ = step;
+    NODELET_INFO("The drive takes %.0f s of simulated time", route_->duration());
+  }
+  const double driven_s = drivenTime(step);
+  driven_m_ = route_->drivenAt(driven_s);
+  return route_->poseAt(driven_s);
+}
+
+void SimulatorNodelet::obeyCommands() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (command_) {
+    robot_->command(*command_);
+    command_.reset();
+  }
+}
+
+double SimulatorNodelet::drivenTime(std::int64_t step) const {
+  return departure_ ? static_cast<double>(step - *departure_) / config_.tf_rate : 0.0;
+}
+
+void SimulatorNodelet::finish() {
+  finished_ = true;
+  finished_publisher_.publish(boolMessage(true));
+  NODELET_INFO("The drive is over: %llu scans", static_cast<unsigned long long>(scans_));
+}
+
+void SimulatorNodelet::sendScan(const ros::Time& stamp, const RobotPose& pose) {
+  structure_from_wifi::WifiScan scan = scanMessage(*radio_, pose, scans_);
+  scan.header.stamp = stamp;
+  scan.header.frame_id = config_.base_frame;
+  scan_publisher_.publish(scan);
+  ++scans_;
+}
+
+bool SimulatorNodelet::mayDepart() {
+  const WallClock::time_point now = WallClock::now();
+  if (scan_publisher_.getNumSubscribers() > 0) {
+    deadline_ = std::min(deadline_, now + kSettle);
+  }
+  return now >= deadline_;
+}
+
+}  // namespace sfw
+
+PLUGINLIB_EXPORT_CLASS(sfw::SimulatorNodelet, nodelet::Nodelet)

@@ -1,0 +1,119 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "simulation/building/plan_generator.h"
+
+namespace sfw {
+
+/// A rectangle in whole centimetres of the building's own frame.
+struct Rect {
+  int left = 0, bottom = 0, right = 0, top = 0;
+
+  int width() const { return right - left; }
+  int depth() const { return top - bottom; }
+  /// Mirrored at the diagonal.
+  Rect transposed() const { return {bottom, left, top, right}; }
+};
+
+/// A room, or a stretch of corridor.
+struct LayoutRoom {
+  RoomKind kind;
+  Rect rect;
+};
+
+/// The axis along which a row of rooms stands.
+enum class Axis { kX, kY };
+
+/// Whole numbers that are the same on every machine, unlike those of std::uniform_int_distribution.
+class Dice {
+ public:
+  explicit Dice(std::uint64_t seed) : engine_(seed) {}
+
+  /// Both ends included; the lower one if they are in wrong order.
+  int between(int low, int high);
+
+  bool chance(int percent) { return between(1, 100) <= percent; }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+/// A side of a rectangle.
+enum class Side { kLeft, kBottom, kRight, kTop };
+
+/// What rooms a row may hold and how wide they are along it.
+struct RoomChoice {
+  RoomKind kind;
+  int least_width;    ///< [cm]
+  int largest_width;  ///< [cm]
+  int weight;         ///< how often, relative to the others
+  int most;           ///< in one row
+};
+
+/// A floor while it is being drawn: its outline, its rooms, and the holes in its walls.
+class FloorLayout {
+ public:
+  FloorLayout(Dice& dice, int partition_cm) : dice_(dice), partition_(partition_cm) {}
+
+  /// Thickness of the walls between rooms of a row [cm].
+  int partition() const { return partition_; }
+
+  /// Adds a part of what the outer walls enclose.
+  void addInside(const Rect& rect) { inside_.push_back(rect); }
+
+  /// @return its number.
+  std::size_t addRoom(RoomKind kind, const Rect& rect);
+
+  /// Fills a rectangle with rooms side by side along an axis. Their kinds are drawn from `choices`
+  /// until the row is full, then all are stretched to fit exactly.
+  /// @return their numbers, in ascending order along the axis.
+  std::vector<std::size_t> addRow(const Rect& rect, Axis axis,
+                                  const std::vector<RoomChoice>& choices);
+
+  /// Turns a slice of a room along one side into a room of its own, with a wall between.
+  /// @return the slice's number.
+  std::size_t cutOff(std::size_t room, Side side, int slice_cm, RoomKind kind);
+
+  /// Says that two stretches of corridor overlap.
+  void join(std::size_t a, std::size_t b) { connections_.emplace_back(a, b); }
+
+  /// Opens the wall between two rooms.
+  /// @param width_cm  of the hole; narrowed down to a door's if the shared wall is too short
+  /// @return false, and nothing is done, if they share no wall that a door fits into.
+  bool connect(std::size_t a, std::size_t b, int width_cm);
+
+  /// connect, as wide as a door.
+  bool addDoor(std::size_t a, std::size_t b) { return connect(a, b, dice_.between(80, 90)); }
+
+  /// Gives a door to every room that cannot be reached from the first, where it shares a wall with
+  /// one that can.
+  void reachAll();
+
+  const std::vector<LayoutRoom>& rooms() const { return rooms_; }
+  const std::vector<Rect>& inside() const { return inside_; }
+  const std::vector<Rect>& holes() const { return holes_; }
+  Dice& dice() { return dice_; }
+
+ private:
+  std::vector<std::size_t> reachable() const;
+
+  Dice& dice_;
+  int partition_;
+  std::vector<Rect> inside_;
+  std::vector<LayoutRoom> rooms_;
+  std::vector<Rect> holes_;
+  std::vector<std::pair<std::size_t, std::size_t>> connections_;
+};
+
+/// Draws a flat into an empty layout. @param area_m2 of floor and interior walls
+void drawFlat(int area_m2, FloorLayout& layout);
+
+/// Draws an office floor likewise.
+void drawOffice(int area_m2, FloorLayout& layout);
+
+}  // namespace sfw

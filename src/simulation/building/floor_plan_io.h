@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "simulation/building/floor_plan.h"
+
+namespace sfw {
+
+/// How a plan's file becomes cells.
+struct PlanOptions {
+  double resolution = 0.05;                ///< of plans drawn in metres (HouseExpo) [m]
+  std::optional<double> metres_per_pixel;  ///< of pictures, which cannot say it themselves
+  double dark = 0.5;                       ///< pixels darker than this are wall (0 white, 1 black)
+  bool white_edge_is_outside = true;       ///< a picture's white around the building is no floor
+};
+
+/// Every problem of the options, one sentence each that starts with the option's name.
+std::vector<std::string> validate(const PlanOptions& options);
+
+/// Reads a building from one of three kinds of file, by its name's ending or else its content:
+///
+/// - HouseExpo JSON: `verts` is the outline of the free space [m], walls being slits and notches of
+///   it. Cells whose centre is inside (even-odd) are free; cells outside within 0.15 m of free ones
+///   or in gaps of up to 0.6 m between them are wall, so slits are wall all through; slits that
+///   pass between the centres of neighbouring cells still become one cell of wall. The grid's
+///   edges are whole multiples of the resolution, 0.5 m or more away from free space.
+/// - map_server YAML beside its PGM, trinary or scale, as readMap.
+/// - PNG with options.metres_per_pixel, lower left corner at the map frame's origin; transparent
+///   pixels are unknown.
+///
+/// Walls get their materials from withMaterials.
+/// @throw InputError naming the file and what is wrong: unreadable, malformed, without free cells,
+/// larger than 64 million cells, or an option out of range or missing.
+/// O(cells + rows and columns crossed by the outline).
+Plan readPlan(const std::string& file, const PlanOptions& options = {});
+
+}  // namespace sfw

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "simulation/building/floor_plan_io.h"
+
+namespace sfw {
+
+/// Whether bytes start as a PNG does.
+bool isPng(std::string_view bytes);
+
+/// Reads a PNG as a plan, one pixel a cell. See readPlan for what pixels mean.
+/// @throw InputError naming the file if it cannot be decoded, its scale is missing, it has more
+/// than `max_cells` pixels, or white hangs together with the picture's edge everywhere although
+/// that should be outside.
+Grid<CellState> readPicture(const std::string& file, const PlanOptions& options,
+                            std::int64_t max_cells);
+
+}  // namespace sfw

@@ -1,0 +1,62 @@
+#include "simulation/building/furniture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/random.h"
+#include "base/random_streams.h"
+
+namespace sfw {
+namespace {
+
+double distanceToSegment(const Position& point, const Position& from, const Position& to) {
+  const Position along = to - from;
+  const double length_squared = along.squaredNorm();
+  const double share = length_squared > 0.0 ? (point - from).dot(along) / length_squared : 0.0;
+  return (from + std::clamp(share, 0.0, 1.0) * along - point).norm();
+}
+
+std::vector<Cell> freeCells(const Plan& plan) {
+  std::vector<Cell> cells;
+  Cell c;
+  for (c.y = 0; c.y < plan.geometry.height(); ++c.y) {
+    for (c.x = 0; c.x < plan.geometry.width(); ++c.x) {
+      if (plan[c] == Material::kFree) {
+        cells.push_back(c);
+      }
+    }
+  }
+  return cells;
+}
+
+}  // namespace
+
+std::vector<Furniture> placeFurniture(const Plan& plan, double most_loss_db,
+                                      double area_per_piece_m2, std::int64_t seed) {
+  constexpr double kLeastRadius = 0.2, kMostRadius = 0.5;  // metres: a chair to a wardrobe
+  const std::vector<Cell> free = freeCells(plan);
+  const double cell_m2 = plan.geometry.resolution() * plan.geometry.resolution();
+  const double area_m2 = static_cast<double>(free.size()) * cell_m2;
+  std::vector<Furniture> pieces(static_cast<std::size_t>(area_m2 / area_per_piece_m2));
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    Random random(seed, streamOf(Purpose::kFurniture), i);
+    const double at = (1.0 - random.uniform()) * static_cast<double>(free.size());
+    pieces[i].centre = plan.geometry.centre(free[static_cast<std::size_t>(at)]);
+    pieces[i].radius_m = random.uniform(kLeastRadius, kMostRadius);
+    pieces[i].loss_db = random.uniform(0.0, most_loss_db);
+  }
+  return pieces;
+}
+
+double furnitureLoss(const std::vector<Furniture>& pieces, const Position& from,
+                     const Position& to) {
+  double loss_db = 0.0;
+  for (const Furniture& piece : pieces) {
+    if (distanceToSegment(piece.centre, from, to) < piece.radius_m) {
+      loss_db += piece.loss_db;
+    }
+  }
+  return loss_db;
+}
+
+}  // namespace sfw

@@ -1,0 +1,184 @@
+#include "simulation/building/plan_generator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "simulation/building/floor_layout.h"
+#include "structure_from_wifi/input_error.h"
+
+namespace sfw {
+namespace {
+
+/// A layout in its final place in the building's frame [cm].
+struct Building {
+  int outer_wall;
+  std::vector<Rect> inside;
+  std::vector<Rect> free;  // rooms and holes
+  std::vector<LayoutRoom> rooms;
+};
+
+/// One of the eight ways in which a rectilinear layout can be turned and mirrored.
+class Turn {
+ public:
+  explicit Turn(Dice& dice)
+      : transpose_(dice.chance(50)), mirror_x_(dice.chance(50)), mirror_y_(dice.chance(50)) {}
+
+  Rect operator()(const Rect& rect) const {
+    const Rect t = transpose_ ? rect.transposed() : rect;
+    return {mirror_x_ ? -t.right : t.left, mirror_y_ ? -t.top : t.bottom,
+            mirror_x_ ? -t.left : t.right, mirror_y_ ? -t.bottom : t.top};
+  }
+
+ private:
+  bool transpose_, mirror_x_, mirror_y_;
+};
+
+Building build(const PlanGeneratorConfig& config) {
+  Dice dice(config.seed);
+  FloorLayout layout(dice, dice.between(10, 13));
+  const int area_m2 = static_cast<int>(std::lround(config.area));
+  if (config.kind == BuildingKind::kFlat) {
+    drawFlat(area_m2, layout);
+  } else {
+    drawOffice(area_m2, layout);
+  }
+  layout.reachAll();
+  const Turn turn(dice);
+  Building building{dice.between(25, 35), {}, {}, layout.rooms()};
+  for (const Rect& rect : layout.inside()) {
+    building.inside.push_back(turn(rect));
+  }
+  for (LayoutRoom& room : building.rooms) {
+    room.rect = turn(room.rect);
+    building.free.push_back(room.rect);
+  }
+  for (const Rect& hole : layout.holes()) {
+    building.free.push_back(turn(hole));
+  }
+  return building;
+}
+
+/// Whether a point [cm] lies in one of the rectangles, each grown by `wall`.
+bool within(const std::vector<Rect>& rects, const Position& at, int wall) {
+  return std::any_of(rects.begin(), rects.end(), [&](const Rect& rect) {
+    return at.x() >= rect.left - wall && at.x() < rect.right + wall &&
+           at.y() >= rect.bottom - wall && at.y() < rect.top + wall;
+  });
+}
+
+Material materialAt(const Building& building, const Position& at) {
+  if (within(building.free, at, 0)) {
+    return Material::kFree;
+  }
+  if (within(building.inside, at, 0)) {
+    return Material::kInteriorWall;
+  }
+  return within(building.inside, at, building.outer_wall) ? Material::kOuterWall
+                                                          : Material::kUnknown;
+}
+
+/// The rectangle around the rotated building [m], with some air.
+Box boxAround(const Building& building, const Eigen::Rotation2Dd& map_from_building) {
+  constexpr double kMargin = 0.5;
+  Box box;
+  for (const Rect& rect : building.inside) {
+    for (const int x : {rect.left - building.outer_wall, rect.right + building.outer_wall}) {
+      for (const int y : {rect.bottom - building.outer_wall, rect.top + building.outer_wall}) {
+        box.extend(map_from_building * (Position(x, y) / 100.0));
+      }
+    }
+  }
+  return {box.min().array() - kMargin, box.max().array() + kMargin};
+}
+
+Plan rasterised(const Building& building, const PlanGeneratorConfig& config,
+                const Eigen::Rotation2Dd& map_from_building) {
+  // Centres of cells may fall on edges of walls; which side they are on must not hang on rounding.
+  const Position nudge(1e-6, 1e-6);
+  constexpr std::int64_t kMostCells = 64'000'000;
+  Plan plan(GridGeometry::covering(boxAround(building, map_from_building), config.resolution,
+                                   config.resolution, kMostCells));
+  const Eigen::Rotation2Dd building_from_map = map_from_building.inverse();
+  Cell c;
+  for (c.y = 0; c.y < plan.geometry.height(); ++c.y) {
+    for (c.x = 0; c.x < plan.geometry.width(); ++c.x) {
+      const Position at = building_from_map * plan.geometry.centre(c) + nudge;
+      plan[c] = materialAt(building, 100.0 * at);
+    }
+  }
+  return plan;
+}
+
+}  // namespace
+
+BuildingKind parseBuildingKind(std::string_view name) {
+  if (name != "flat" && name != "office") {
+    throw InputError("'" + std::string(name) + "' is no kind of building; there are flat, office");
+  }
+  return name == "flat" ? BuildingKind::kFlat : BuildingKind::kOffice;
+}
+
+std::vector<std::string> validate(const PlanGeneratorConfig& config) {
+  std::vector<std::string> problems;
+  if (!(config.area >= 30.0 && config.area <= 400.0)) {
+    problems.emplace_back("area must lie in 30..400 m2");
+  }
+  if (!(config.resolution >= 0.01 && config.resolution <= 0.1)) {
+    problems.emplace_back("resolution must lie in 0.01..0.1 m");
+  }
+  if (!std::isfinite(config.rotation_rad)) {
+    problems.emplace_back("rotation_rad must be finite");
+  }
+  return problems;
+}
+
+std::string toText(RoomKind kind) {
+  switch (kind) {
+    case RoomKind::kLiving:
+      return "living room";
+    case RoomKind::kKitchen:
+      return "kitchen";
+    case RoomKind::kBedroom:
+      return "bedroom";
+    case RoomKind::kStudy:
+      return "study";
+    case RoomKind::kBath:
+      return "bathroom";
+    case RoomKind::kToilet:
+      return "toilet";
+    case RoomKind::kStorage:
+      return "storage";
+    case RoomKind::kCorridor:
+      return "corridor";
+    case RoomKind::kOffice:
+      return "office";
+    case RoomKind::kOpenPlan:
+      return "open-plan office";
+    case RoomKind::kMeeting:
+      return "meeting room";
+  }
+  return "room";
+}
+
+GeneratedPlan generatePlan(const PlanGeneratorConfig& config) {
+  std::string problems;
+  for (const std::string& problem : validate(config)) {
+    problems += (problems.empty() ? "" : "\n") + problem;
+  }
+  if (!problems.empty()) {
+    throw InputError(problems);
+  }
+  const Building building = build(config);
+  const Eigen::Rotation2Dd map_from_building(config.rotation_rad);
+  GeneratedPlan generated{rasterised(building, config, map_from_building), {}};
+  for (const LayoutRoom& room : building.rooms) {
+    const Rect& rect = room.rect;
+    const Position centre(rect.left + rect.right, rect.bottom + rect.top);
+    generated.rooms.push_back({room.kind, map_from_building * (centre / 200.0),
+                               Position(rect.width(), rect.depth()) / 100.0});
+  }
+  return generated;
+}
+
+}  // namespace sfw

@@ -1,0 +1,183 @@
+#include "simulation/radio/radio_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "base/random.h"
+#include "base/random_streams.h"
+#include "base/range_check.h"
+#include "structure_from_wifi/input_error.h"
+
+namespace sfw {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kUsualTxDbm = 20.0;       // that rssi_at_1m is for
+constexpr double kWallPatch = 2.0;         // metres over which a wall's loss changes
+constexpr double kAreaPerFurniture = 9.0;  // square metres
+constexpr double kNear = 0.1;              // metres; nearer antennas touch, and the model ends
+
+std::string outsideText(const AccessPoint& access_point) {
+  char text[64];
+  std::snprintf(text, sizeof text, " at (%.2f, %.2f) is outside the plan",
+                access_point.position.x(), access_point.position.y());
+  return "access point " + access_point.bssid.str() + text;
+}
+
+/// @throw InputError
+void requireUsable(const Plan& plan, const std::vector<Transmitter>& transmitters,
+                   const RadioModel::Config& config) {
+  std::vector<std::string> problems = validate(config);
+  for (const Transmitter& transmitter : transmitters) {
+    if (!plan.geometry.contains(plan.geometry.cellAt(transmitter.access_point.position))) {
+      problems.push_back(outsideText(transmitter.access_point));
+    }
+  }
+  std::string text;
+  for (const std::string& problem : problems) {
+    text += (text.empty() ? "" : "\n") + problem;
+  }
+  if (!text.empty()) {
+    throw InputError(text);
+  }
+}
+
+double saturated(double loss_db, double saturation_db) {
+  return saturation_db > 0.0 ? saturation_db * -std::expm1(-loss_db / saturation_db) : loss_db;
+}
+
+}  // namespace
+
+double frequencyMhz(Band band) { return band == Band::k2400MHz ? 2437.0 : 5180.0; }
+
+BandFigures bandFigures(Band band) {
+  if (band == Band::k2400MHz) {
+    return {0.0, 1.0, 1.0};
+  }
+  return {6.55, 1.0, 1.8};
+}
+
+std::vector<Transmitter> asTransmitters(const std::vector<AccessPoint>& access_points, Band band) {
+  std::vector<Transmitter> sending;
+  for (const AccessPoint& access_point : access_points) {
+    sending.push_back({access_point, band});
+  }
+  return sending;
+}
+
+RadioModel::AntennaPattern::AntennaPattern(double amplitude, std::int64_t seed,
+                                           std::uint64_t stream)
+    : amplitude_db(amplitude) {
+  Random random(seed, stream, 0);
+  first_phase_rad = 2.0 * kPi * random.uniform();
+  second_phase_rad = 2.0 * kPi * random.uniform();
+}
+
+double RadioModel::AntennaPattern::gain(double bearing_rad) const {
+  return amplitude_db *
+         (std::cos(bearing_rad + first_phase_rad) + std::cos(2.0 * bearing_rad + second_phase_rad));
+}
+
+RadioModel::RadioModel(const Plan& plan, const std::vector<Transmitter>& transmitters,
+                       const Config& config)
+    : plan_((requireUsable(plan, transmitters, config), plan)),
+      transmitters_(transmitters),
+      config_(config),
+      wall_variation_(RandomField::Kind::kSmooth, kWallPatch, config.seed,
+                      streamOf(Purpose::kWallVariation)),
+      robot_pattern_(config.robot_pattern, config.seed, streamOf(Purpose::kRobotPattern)) {
+  if (config.furniture > 0.0) {
+    furniture_ = placeFurniture(plan, config.furniture, kAreaPerFurniture, config.seed);
+  }
+  for (std::size_t i = 0; i < transmitters.size(); ++i) {
+    shadowing_.emplace_back(RandomField::Kind::kRough, config.shadowing_distance, config.seed,
+                            streamOf(Purpose::kShadowing, i));
+    access_point_patterns_.emplace_back(config.access_point_pattern, config.seed,
+                                        streamOf(Purpose::kAccessPointPattern, i));
+  }
+}
+
+double RadioModel::wallLoss(const WallCrossing& wall, Band band) const {
+  const bool outer = wall.material == Material::kOuterWall;
+  const BandFigures on_band = bandFigures(band);
+  const double factor = outer ? on_band.outer_wall_factor : on_band.interior_wall_factor;
+  const double mean = outer ? config_.outer_wall_loss : config_.interior_wall_loss;
+  const double variation = outer ? config_.outer_wall_variation : config_.interior_wall_variation;
+  const double here = variation > 0.0 ? mean + variation * wall_variation_.at(wall.middle) : mean;
+  return factor * std::max(here, 0.0);
+}
+
+double RadioModel::obstacleLoss(std::size_t access_point, const Position& antenna_in_map) const {
+  const Transmitter& source = transmitters_[access_point];
+  const Position& from = source.access_point.position;
+  double loss_db = furnitureLoss(furniture_, from, antenna_in_map);
+  for (const WallCrossing& wall : wallsBetween(plan_, from, antenna_in_map)) {
+    loss_db += wallLoss(wall, source.band);
+  }
+  return saturated(loss_db, config_.saturation);
+}
+
+int RadioModel::wallCount(std::size_t access_point, const Position& antenna_in_map) const {
+  return countWalls(plan_, transmitters_[access_point].access_point.position, antenna_in_map);
+}
+
+double RadioModel::meanRssi(std::size_t access_point, const RobotPose& robot_in_map) const {
+  const Transmitter& transmitter = transmitters_[access_point];
+  const AccessPoint& source = transmitter.access_point;
+  const Position to_robot = robot_in_map.position - source.position;
+  const double above = source.height_m.value_or(config_.antenna_height) - config_.antenna_height;
+  const double distance = std::max(std::hypot(to_robot.norm(), above), kNear);
+  const double bearing = std::atan2(to_robot.y(), to_robot.x());
+  const double seen_from_robot = bearing + kPi - robot_in_map.yaw_rad;
+  double rssi_dbm = config_.rssi_at_1m + source.tx_dbm.value_or(kUsualTxDbm) - kUsualTxDbm;
+  rssi_dbm -= bandFigures(transmitter.band).loss_at_1m_db;
+  rssi_dbm -= 10.0 * config_.exponent * std::log10(distance);
+  rssi_dbm -= obstacleLoss(access_point, robot_in_map.position);
+  if (config_.shadowing > 0.0) {
+    rssi_dbm += config_.shadowing * shadowing_[access_point].at(robot_in_map.position);
+  }
+  rssi_dbm += access_point_patterns_[access_point].gain(bearing);
+  return rssi_dbm + robot_pattern_.gain(seen_from_robot);
+}
+
+std::optional<double> RadioModel::rssi(std::size_t access_point, const RobotPose& robot_in_map,
+                                       std::uint64_t sample) const {
+  if (Random(config_.seed, streamOf(Purpose::kMisses, access_point), sample).uniform() <=
+      config_.missed) {
+    return std::nullopt;
+  }
+  Random random(config_.seed, streamOf(Purpose::kFading, access_point), sample);
+  double rssi_dbm = meanRssi(access_point, robot_in_map) + config_.sample_noise * random.normal();
+  if (config_.step > 0.0) {
+    rssi_dbm = config_.step * std::round(rssi_dbm / config_.step);
+  }
+  return rssi_dbm < config_.sensitivity ? std::nullopt
+                                        : std::optional<double>(std::min(rssi_dbm, 0.0));
+}
+
+std::vector<std::string> validate(const RadioModel::Config& config) {
+  std::vector<std::string> problems;
+  const RangeCheck require(problems);
+  constexpr double kMostLoss = 100.0, kMostDeviation = 30.0;
+  require(config.rssi_at_1m, -119.0, 0.0, "rssi_at_1m");
+  require(config.exponent, 0.0, 10.0, "exponent");
+  require(config.interior_wall_loss, 0.0, kMostLoss, "interior_wall_loss");
+  require(config.interior_wall_variation, 0.0, kMostDeviation, "interior_wall_variation");
+  require(config.outer_wall_loss, 0.0, kMostLoss, "outer_wall_loss");
+  require(config.outer_wall_variation, 0.0, kMostDeviation, "outer_wall_variation");
+  require(config.saturation, 0.0, 1000.0, "saturation");
+  require(config.shadowing, 0.0, kMostDeviation, "shadowing");
+  require(config.shadowing_distance, 0.01, 1000.0, "shadowing_distance");
+  require(config.sample_noise, 0.0, kMostDeviation, "sample_noise");
+  require(config.access_point_pattern, 0.0, kMostDeviation, "access_point_pattern");
+  require(config.robot_pattern, 0.0, kMostDeviation, "robot_pattern");
+  require(config.furniture, 0.0, kMostLoss, "furniture");
+  require(config.step, 0.0, 10.0, "step");
+  require(config.antenna_height, 0.0, 10.0, "antenna_height");
+  require(config.sensitivity, -119.0, 0.0, "sensitivity");
+  require(config.missed, 0.0, 1.0, "missed");
+  return problems;
+}
+
+}  // namespace sfw

@@ -1,0 +1,185 @@
+#include "simulation/robot/configuration_space.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+#include "grid/distance_transform.h"
+#include "grid/morphology.h"
+#include "grid/ray.h"
+
+namespace sfw {
+namespace {
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+/// Keeps what is free here free to requireFree, which rounds differently [cells].
+constexpr double kRounding = 1e-6;
+
+Position toPosition(Cell c) { return {static_cast<double>(c.x), static_cast<double>(c.y)}; }
+
+/// A place to go on from; the cheapest comes first, then the first in row-major order.
+struct Open {
+  double cost;
+  std::size_t index;
+  Cell cell;
+
+  friend bool operator>(const Open& a, const Open& b) {
+    return a.cost != b.cost ? a.cost > b.cost : a.index > b.index;
+  }
+};
+using OpenList = std::priority_queue<Open, std::vector<Open>, std::greater<>>;
+
+}  // namespace
+
+double distanceToDrive(Cell c, Cell from, Cell to) {
+  const Position along = toPosition(to) - toPosition(from);
+  const Position offset = toPosition(c) - toPosition(from);
+  const double squared = along.squaredNorm();
+  const double share = squared > 0.0 ? std::clamp(offset.dot(along) / squared, 0.0, 1.0) : 0.0;
+  return (share * along - offset).norm();
+}
+
+ConfigurationSpace::ConfigurationSpace(const Grid<CellState>& plan, double radius_m)
+    : reach_(radius_m / plan.geometry.resolution() + std::sqrt(0.5) + kRounding),
+      clearance_(plan.geometry),
+      within_(plan.geometry) {
+  const GridGeometry& g = plan.geometry;
+  Mask obstacles(g);
+  for (std::size_t i = 0; i < plan.cells.size(); ++i) {
+    obstacles.cells[i] = plan.cells[i] == CellState::kFree ? 0 : 1;
+  }
+  clearance_ = distanceTransform(obstacles);
+  Cell c;
+  for (c.y = 0; c.y < g.height(); ++c.y) {
+    for (c.x = 0; c.x < g.width(); ++c.x) {
+      const std::int64_t to_edge = std::min({c.x + 1, c.y + 1, g.width() - c.x, g.height() - c.y});
+      clearance_[c] = std::min(clearance_[c], static_cast<double>(to_edge));
+      within_[c] = clearance_[c] >= reach_ ? 1 : 0;
+    }
+  }
+}
+
+void ConfigurationSpace::keepConnectedTo(Cell start) {
+  const Components parts = labelComponents(within_);
+  for (std::size_t i = 0; i < within_.cells.size(); ++i) {
+    within_.cells[i] = parts.label.cells[i] == parts.label[start] ? 1 : 0;
+  }
+}
+
+std::optional<Cell> ConfigurationSpace::middle() const {
+  const Components parts = labelComponents(within_);
+  std::vector<std::size_t> sizes(static_cast<std::size_t>(parts.count) + 1, 0);
+  for (const std::int64_t label : parts.label.cells) {
+    sizes[static_cast<std::size_t>(label)] += label > 0 ? 1 : 0;
+  }
+  const auto largest = std::max_element(sizes.begin(), sizes.end()) - sizes.begin();
+  std::optional<Cell> best;
+  Cell c;
+  for (c.y = 0; c.y < geometry().height(); ++c.y) {
+    for (c.x = 0; c.x < geometry().width(); ++c.x) {
+      const bool in_largest = largest > 0 && parts.label[c] == largest;
+      if (in_largest && (!best || clearance_[c] > clearance_[*best])) {
+        best = c;
+      }
+    }
+  }
+  return best;
+}
+
+bool ConfigurationSpace::driveable(Cell from, Cell to, double least) const {
+  // From anywhere in a cell to its centre. What is nearer to the drive than `least` is nearer than
+  // that and this to the centre of a cell that the drive crosses.
+  const double half_diagonal = std::sqrt(0.5);
+  bool clear = true;
+  const GridGeometry& g = geometry();
+  Ray(g, g.centre(from), g.centre(to)).forEachCellWhile([&](Cell c) {
+    if (!g.contains(c) || clearance_[c] < least - half_diagonal) {
+      clear = false;
+    } else if (clearance_[c] < least + half_diagonal + kRounding) {
+      clear = clearOfCellsNear(c, from, to, least);
+    }
+    return clear;
+  });
+  return clear;
+}
+
+bool ConfigurationSpace::clearOfCellsNear(Cell c, Cell from, Cell to, double least) const {
+  const auto around = static_cast<std::int64_t>(std::ceil(least)) + 1;
+  Cell other;
+  for (other.y = c.y - around; other.y <= c.y + around; ++other.y) {
+    for (other.x = c.x - around; other.x <= c.x + around; ++other.x) {
+      const bool free = geometry().contains(other) && clearance_[other] > 0.0;
+      if (!free && distanceToDrive(other, from, to) < least) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+PathFinder::PathFinder(const ConfigurationSpace& space, double comfort)
+    : space_(space), comfort_(comfort), cost_(space.geometry(), kFar), before_(space.geometry()) {}
+
+double PathFinder::costOfStep(Cell from, Cell to, double length) const {
+  constexpr double kTight = 2.0;  // the detour that one would make to stay clear of a wall
+  const double clearance = std::min(space_.clearance(from), space_.clearance(to));
+  return length * (1.0 + kTight * std::max(0.0, 1.0 - clearance / comfort_));
+}
+
+std::vector<Cell> PathFinder::toNearest(Cell from, const std::function<bool(Cell)>& wanted) {
+  for (const Cell c : touched_) {
+    cost_[c] = kFar;
+  }
+  touched_.assign(1, from);
+  cost_[from] = 0.0;
+  OpenList open;
+  open.push({0.0, space_.geometry().index(from), from});
+  while (!open.empty()) {
+    const Open at = open.top();
+    open.pop();
+    if (at.cost > cost_[at.cell]) {
+      continue;
+    }
+    if (wanted(at.cell)) {
+      std::vector<Cell> path{at.cell};
+      while (path.back() != from) {
+        path.push_back(before_[path.back()]);
+      }
+      std::reverse(path.begin(), path.end());
+      return path;
+    }
+    space_.forEachStep(at.cell, [&](Cell next, double length) {
+      const double cost = at.cost + costOfStep(at.cell, next, length);
+      if (cost < cost_[next]) {
+        cost_[next] = cost;
+        before_[next] = at.cell;
+        touched_.push_back(next);
+        open.push({cost, space_.geometry().index(next), next});
+      }
+    });
+  }
+  return {};
+}
+
+void DriveDistance::add(const std::vector<Cell>& places) {
+  OpenList open;
+  for (const Cell c : places) {
+    length_[c] = 0.0;
+    open.push({0.0, space_.geometry().index(c), c});
+  }
+  while (!open.empty()) {
+    const Open at = open.top();
+    open.pop();
+    if (at.cost > length_[at.cell]) {
+      continue;
+    }
+    space_.forEachStep(at.cell, [&](Cell next, double step) {
+      if (at.cost + step < length_[next]) {
+        length_[next] = at.cost + step;
+        open.push({at.cost + step, space_.geometry().index(next), next});
+      }
+    });
+  }
+}
+
+}  // namespace sfw

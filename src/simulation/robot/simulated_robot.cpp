@@ -1,0 +1,209 @@
+#include "simulation/robot/simulated_robot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "base/range_check.h"
+#include "structure_from_wifi/input_error.h"
+
+namespace sfw {
+namespace {
+
+constexpr double kChord = 0.01;  // [s]
+constexpr double kPlay = 1e-4;   // way that a bumper gives before it is felt [m]
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// The robot stops this far from what it runs into, so that rounding does not keep it from driving
+/// along a wall that it touches [m].
+constexpr double kSkin = 1e-6;
+
+constexpr double kRounding = 1e-12;  // an obstacle so much nearer than before is not nearer [m]
+constexpr double kOverlap = 1e-9;    // all such steps together [m]
+
+/// The value, moved towards a target by at most a step.
+double approached(double value, double target, double most) {
+  return value + std::clamp(target - value, -most, most);
+}
+
+/// Where a ray is first nearer to a point than a radius; infinity if never or not ahead.
+double entryIntoDisc(const Position& from, const Position& direction, const Position& centre,
+                     double radius_m) {
+  const Position to_centre = centre - from;
+  const double along = to_centre.dot(direction);
+  const double across = to_centre.x() * direction.y() - to_centre.y() * direction.x();
+  const double half_chord_squared = radius_m * radius_m - across * across;
+  if (along <= 0.0 || half_chord_squared <= 0.0) {
+    return kInfinity;
+  }
+  return along - std::sqrt(half_chord_squared);
+}
+
+/// Where a ray from outside a rectangle enters it; infinity if it does not.
+double entryIntoBox(const Position& from, const Position& direction, const Box& box) {
+  double entry = -kInfinity;
+  double exit = kInfinity;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double low = box.min()[axis] - from[axis];
+    const double high = box.max()[axis] - from[axis];
+    if (direction[axis] == 0.0) {
+      if (low >= 0.0 || high <= 0.0) {
+        return kInfinity;
+      }
+      continue;
+    }
+    const double a = low / direction[axis];
+    const double b = high / direction[axis];
+    entry = std::max(entry, std::min(a, b));
+    exit = std::min(exit, std::max(a, b));
+  }
+  return entry < exit && exit > 0.0 ? entry : kInfinity;
+}
+
+Position nearestPoint(const Box& box, const Position& point) {
+  return point.cwiseMax(box.min()).cwiseMin(box.max());
+}
+
+/// How far a disc can go along a ray until it overlaps a rectangle, which it does not do yet.
+double wayUntilOverlap(const Position& from, const Position& direction, const Box& box,
+                       double radius_m) {
+  // The rectangle grown by the disc: two rectangles and four discs.
+  double way = kInfinity;
+  for (int axis = 0; axis < 2; ++axis) {
+    const Position grown = axis == 0 ? Position(radius_m, 0.0) : Position(0.0, radius_m);
+    way = std::min(way, entryIntoBox(from, direction, Box(box.min() - grown, box.max() + grown)));
+  }
+  for (int corner = 0; corner < 4; ++corner) {
+    const Position at = box.corner(static_cast<Box::CornerType>(corner));
+    way = std::min(way, entryIntoDisc(from, direction, at, radius_m));
+  }
+  return std::max(way, 0.0);
+}
+
+}  // namespace
+
+std::vector<std::string> validate(const SimulatedRobot::Config& config) {
+  std::vector<std::string> problems;
+  const RangeCheck require(problems);
+  require(config.radius, 0.01, 10.0, "radius");
+  require(config.max_speed, 0.01, 10.0, "max_speed");
+  require(config.max_yaw_rate, 0.01, 100.0, "max_yaw_rate");
+  require(config.acceleration, 0.01, 1000.0, "acceleration");
+  require(config.yaw_acceleration, 0.01, 10000.0, "yaw_acceleration");
+  require(config.command_timeout, 0.0, 3600.0, "command_timeout");
+  return problems;
+}
+
+SimulatedRobot::SimulatedRobot(const Grid<CellState>& plan, const RobotPose& start,
+                               const Config& config)
+    : plan_(plan), config_(config), pose_(start) {
+  std::string text;
+  for (const std::string& problem : validate(config)) {
+    text += (text.empty() ? "" : "\n") + problem;
+  }
+  if (!text.empty()) {
+    throw InputError(text);
+  }
+  forEachObstacle(Box(start.position), config.radius, [&](const Box& square) {
+    if (text.empty() && square.exteriorDistance(start.position) < config.radius) {
+      char words[160];
+      std::snprintf(
+          words, sizeof words, "the robot does not fit at (%.2f, %.2f): (%.2f, %.2f) is not free",
+          start.position.x(), start.position.y(), square.center().x(), square.center().y());
+      text = words;
+    }
+  });
+  if (!text.empty()) {
+    throw InputError(text);
+  }
+}
+
+bool SimulatedRobot::command(const DriveCommand& command) {
+  if (!std::isfinite(command.speed_m_s) || !std::isfinite(command.yaw_rate_rad_s)) {
+    return false;
+  }
+  command_.speed_m_s = std::clamp(command.speed_m_s, -config_.max_speed, config_.max_speed);
+  command_.yaw_rate_rad_s =
+      std::clamp(command.yaw_rate_rad_s, -config_.max_yaw_rate, config_.max_yaw_rate);
+  command_age_s_ = 0.0;
+  return true;
+}
+
+void SimulatedRobot::step(double duration_s) {
+  const auto chords = static_cast<int>(std::ceil(duration_s / kChord - 1e-9));
+  for (int i = 0; i < chords; ++i) {
+    driveChord(duration_s / chords);
+  }
+}
+
+void SimulatedRobot::driveChord(double duration_s) {
+  if (config_.command_timeout > 0.0 && command_age_s_ >= config_.command_timeout) {
+    command_ = {};
+  }
+  command_age_s_ += duration_s;
+  speed_m_s_ = approached(speed_m_s_, command_.speed_m_s, config_.acceleration * duration_s);
+  yaw_rate_rad_s_ =
+      approached(yaw_rate_rad_s_, command_.yaw_rate_rad_s, config_.yaw_acceleration * duration_s);
+  const double half_turn = 0.5 * yaw_rate_rad_s_ * duration_s;
+  const double arc = speed_m_s_ * duration_s;
+  const double chord = half_turn == 0.0 ? arc : arc * std::sin(half_turn) / half_turn;
+  if (chord != 0.0) {
+    const double yaw = pose_.yaw_rad + half_turn;
+    const Position direction = std::copysign(1.0, chord) * Position(std::cos(yaw), std::sin(yaw));
+    const Way way = wayTo(direction, std::abs(chord));
+    pose_.position += way.length_m * direction;
+    driven_m_ += way.length_m;
+    speed_m_s_ = way.obstacle ? 0.0 : speed_m_s_;
+  }
+  constexpr double kFullTurn = 6.28318530717958647693;
+  pose_.yaw_rad = std::remainder(pose_.yaw_rad + 2.0 * half_turn, kFullTurn);
+}
+
+std::optional<Position> SimulatedRobot::contact() const {
+  return wayTo({std::cos(pose_.yaw_rad), std::sin(pose_.yaw_rad)}, kPlay).obstacle;
+}
+
+SimulatedRobot::Way SimulatedRobot::wayTo(const Position& direction, double length_m) const {
+  const Position& from = pose_.position;
+  const double stop_m = config_.radius + kSkin;
+  double distance_m = stop_m;
+  forEachObstacle(Box(from), stop_m, [&](const Box& square) {
+    distance_m = std::min(distance_m, square.exteriorDistance(from));
+  });
+  // Within the skin the robot may go on, but no nearer to anything than it is.
+  const double radius_m = std::max(config_.radius - kOverlap, distance_m - kRounding);
+  Box swept(from);
+  swept.extend(Position(from + length_m * direction));
+  Way way{length_m, std::nullopt};
+  forEachObstacle(swept, stop_m, [&](const Box& square) {
+    const double until = wayUntilOverlap(from, direction, square, radius_m);
+    if (until < way.length_m) {
+      way.length_m = until;
+      way.obstacle = nearestPoint(square, from + until * direction);
+    }
+  });
+  // Or else pressing against a wall would creep into it by rounding after rounding.
+  way.length_m = way.obstacle && way.length_m < kOverlap ? 0.0 : way.length_m;
+  return way;
+}
+
+template <class Visitor>
+void SimulatedRobot::forEachObstacle(const Box& around, double distance_m, Visitor&& visit) const {
+  const GridGeometry& geometry = plan_.geometry;
+  // A cell more on each side, as a point on an edge belongs to one cell but touches two.
+  const Cell first = geometry.cellAt(around.min() - Position::Constant(distance_m));
+  const Cell last = geometry.cellAt(around.max() + Position::Constant(distance_m));
+  const Position half_cell = Position::Constant(0.5 * geometry.resolution());
+  Cell c;
+  for (c.y = first.y - 1; c.y <= last.y + 1; ++c.y) {
+    for (c.x = first.x - 1; c.x <= last.x + 1; ++c.x) {
+      if (!geometry.contains(c) || plan_[c] != CellState::kFree) {
+        const Position centre = geometry.centre(c);
+        visit(Box(centre - half_cell, centre + half_cell));
+      }
+    }
+  }
+}
+
+}  // namespace sfw

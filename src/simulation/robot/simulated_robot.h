@@ -1,0 +1,85 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "simulation/robot/route.h"
+#include "structure_from_wifi/grid_geometry.h"
+#include "structure_from_wifi/types.h"
+
+namespace sfw {
+
+/// What a robot is told to do, in its own frame.
+struct DriveCommand {
+  double speed_m_s = 0.0;       ///< forwards; negative: backwards
+  double yaw_rate_rad_s = 0.0;  ///< counter-clockwise
+};
+
+/// A round robot on two driven wheels, among walls that stop it.
+///
+/// It drives arcs, in chords of at most 10 ms each. Before each chord the way along it is measured
+/// exactly against the squares of all cells that are not free, the surroundings of the plan among
+/// them, so no speed takes the robot into or through a wall. What it runs into stops it on the
+/// spot, and its speed is gone: it does not slide along walls. It can still turn, being round, and
+/// drive away. Not thread-safe.
+class SimulatedRobot {
+ public:
+  struct Config {
+    double radius = 0.15;           ///< 0.01..10 [m]
+    double max_speed = 0.5;         ///< either way, 0.01..10 [m/s]
+    double max_yaw_rate = 2.0;      ///< either way, 0.01..100 [rad/s]
+    double acceleration = 1.0;      ///< speeding up and braking, 0.01..1000 [m/s2]
+    double yaw_acceleration = 5.0;  ///< likewise, 0.01..10000 [rad/s2]
+    double command_timeout = 0.5;  ///< brakes when the last command is older, 0..3600 [s]; 0: never
+  };
+
+  /// @param start  map frame; the robot stands still there
+  /// @throw InputError naming each setting that is out of range, or the obstacle if the robot does
+  /// not fit there.
+  SimulatedRobot(const Grid<CellState>& plan, const RobotPose& start, const Config& config);
+
+  /// Holds until the next one or the time-out; more than the robot can do becomes what it can.
+  /// @return false, and nothing changes, if a number is not finite.
+  bool command(const DriveCommand& command);
+
+  /// Drives on for a time, finite and not negative [s].
+  /// O(time / 10 ms x cells that the robot covers).
+  void step(double duration_s);
+
+  const RobotPose& pose() const { return pose_; }
+  double drivenWay() const { return driven_m_; }  ///< forwards and backwards [m]
+  double speed() const { return speed_m_s_; }     ///< [m/s]
+
+  /// The nearest obstacle that keeps the robot from going forwards, if there is one within 0.1 mm:
+  /// what its bumper feels, anywhere on its front half.
+  std::optional<Position> contact() const;
+
+ private:
+  /// Straight on until an obstacle.
+  struct Way {
+    double length_m;
+    std::optional<Position> obstacle;  // the point touched at its end
+  };
+
+  void driveChord(double duration_s);
+  Way wayTo(const Position& direction, double length_m) const;
+
+  /// Calls `visit(Box)` for the square of each obstacle within a distance of a rectangle.
+  template <class Visitor>
+  void forEachObstacle(const Box& around, double distance_m, Visitor&& visit) const;
+
+  Grid<CellState> plan_;
+  Config config_;
+  RobotPose pose_;
+  DriveCommand command_;
+  double command_age_s_ = 0.0;
+  double speed_m_s_ = 0.0;
+  double yaw_rate_rad_s_ = 0.0;
+  double driven_m_ = 0.0;
+};
+
+/// Every problem of a robot's settings, one sentence each that starts with the setting's name.
+std::vector<std::string> validate(const SimulatedRobot::Config& config);
+
+}  // namespace sfw

@@ -1,0 +1,117 @@
+#include "simulation/scenario.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+
+#include "base/random.h"
+#include "grid/distance_transform.h"
+#include "simulation/robot/route_planner.h"
+#include "structure_from_wifi/input_error.h"
+#include "structure_from_wifi/readings_io.h"
+
+namespace sfw {
+namespace {
+
+constexpr std::uint64_t kPlacementStream = 0x706c616365;  // told apart from the radio's streams
+
+/// Centres of the free cells that lie a distance or more from all that is not free.
+std::vector<Position> roomyPlaces(const Plan& plan, double distance_m) {
+  const GridGeometry& geometry = plan.geometry;
+  Mask obstacles(geometry, 0);
+  for (std::size_t i = 0; i < plan.cells.size(); ++i) {
+    obstacles.cells[i] = plan.cells[i] == Material::kFree ? 0 : 1;
+  }
+  const Grid<double> cells_away = distanceTransform(obstacles);
+  std::vector<Position> places;
+  Cell c;
+  for (c.y = 0; c.y < geometry.height(); ++c.y) {
+    for (c.x = 0; c.x < geometry.width(); ++c.x) {
+      if (cells_away[c] * geometry.resolution() >= distance_m) {
+        places.push_back(geometry.centre(c));
+      }
+    }
+  }
+  return places;
+}
+
+double distanceToNearest(const Position& place, const std::vector<AccessPoint>& others) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const AccessPoint& other : others) {
+    nearest = std::min(nearest, (place - other.position).norm());
+  }
+  return nearest;
+}
+
+AccessPoint accessPoint(std::int64_t index, const Position& position) {
+  AccessPoint access_point;
+  access_point.bssid = numberedBssid(static_cast<std::size_t>(index) + 1);
+  access_point.name = "access point " + std::to_string(index + 1);
+  access_point.position = position;
+  return access_point;
+}
+
+std::vector<Position> wayPoints(const Plan& plan, const ScenarioConfig& config) {
+  const Grid<CellState> states = toStates(plan);
+  if (config.path != "walls" && config.path != "sparse") {
+    const std::vector<Position> way_points = readWayPoints(config.path);
+    requireFree(states, way_points, config.robot_radius);
+    return way_points;
+  }
+  RoutePlannerConfig planner;
+  planner.robot_radius = config.robot_radius;
+  planner.clearance = levelClearance(config.level, config.seed);
+  return planRoute(states, config.path == "walls" ? RouteKind::kWalls : RouteKind::kSparse,
+                   planner);
+}
+
+}  // namespace
+
+Bssid numberedBssid(std::size_t number) {
+  char text[18];
+  std::snprintf(text, sizeof text, "02:00:00:00:%02x:%02x",
+                static_cast<unsigned>(number >> 8 & 0xff), static_cast<unsigned>(number & 0xff));
+  return *Bssid::parse(text);
+}
+
+std::vector<AccessPoint> placeAccessPoints(const Plan& plan, std::int64_t count,
+                                           std::int64_t seed) {
+  constexpr double kFromWalls = 0.3;  // [m]
+  constexpr int kCandidates = 20;     // for each: enough to spread, too few to line the walls
+  const std::vector<Position> places = roomyPlaces(plan, kFromWalls);
+  if (places.empty()) {
+    throw InputError("the plan has no free place 0.3 m from its walls for an access point");
+  }
+  std::vector<AccessPoint> access_points;
+  for (std::int64_t i = 0; i < count; ++i) {
+    Random random(seed, kPlacementStream, static_cast<std::uint64_t>(i));
+    Position best = places.front();
+    double best_distance = -1.0;
+    for (int candidate = 0; candidate < (i == 0 ? 1 : kCandidates); ++candidate) {
+      const auto index =
+          static_cast<std::size_t>((1.0 - random.uniform()) * static_cast<double>(places.size()));
+      const double distance = distanceToNearest(places[index], access_points);
+      if (distance > best_distance) {
+        best_distance = distance;
+        best = places[index];
+      }
+    }
+    access_points.push_back(accessPoint(i, best));
+  }
+  return access_points;
+}
+
+Scenario makeScenario(const Plan& plan, const std::vector<AccessPoint>& access_points,
+                      const ScenarioConfig& config) {
+  return {plan,
+          access_points.empty() ? placeAccessPoints(plan, config.access_points, config.seed)
+                                : access_points,
+          wayPoints(plan, config), levelConfig(config.level, config.seed)};
+}
+
+SimulatedRecording simulate(const Scenario& scenario) {
+  return simulateRecording(scenario.plan, scenario.way_points,
+                           asTransmitters(scenario.access_points), scenario.recording);
+}
+
+}  // namespace sfw

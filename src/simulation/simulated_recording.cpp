@@ -1,0 +1,142 @@
+#include "simulation/simulated_recording.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/random.h"
+#include "base/random_streams.h"
+#include "base/range_check.h"
+#include "structure_from_wifi/input_error.h"
+
+namespace sfw {
+namespace {
+
+constexpr double kDriftTurns = 10.0;  // metres over which drift changes its direction
+
+/// The settings themselves, so that they are checked before anything is made of them.
+/// @throw InputError
+const RecordingConfig& usable(const RecordingConfig& config) {
+  std::string text;
+  for (const std::string& problem : validate(config)) {
+    text += (text.empty() ? "" : "\n") + problem;
+  }
+  if (!text.empty()) {
+    throw InputError(text);
+  }
+  return config;
+}
+
+/// One chance to hear an access point.
+struct Chance {
+  double time_s;
+  std::size_t access_point;
+  std::uint64_t sample;
+};
+
+/// In order of time, then of access points.
+std::vector<Chance> chancesToHear(std::size_t access_points, double duration_s,
+                                  const RecordingConfig& config) {
+  const bool scans = config.listening == Listening::kScans;
+  const double period_s = scans ? config.scan_period : 1.0 / config.link_rate;
+  std::vector<Chance> chances;
+  for (std::size_t i = 0; i < access_points; ++i) {
+    const double channel =
+        1.0 - Random(config.radio.seed, streamOf(Purpose::kChannel, i), 0).uniform();
+    const double first_s = scans ? channel * period_s : 0.0;
+    for (std::uint64_t sample = 0;; ++sample) {
+      const double time_s = first_s + period_s * static_cast<double>(sample);
+      if (time_s > duration_s) {
+        break;
+      }
+      chances.push_back({time_s, i, sample});
+    }
+  }
+  std::sort(chances.begin(), chances.end(), [](const Chance& a, const Chance& b) {
+    return a.time_s < b.time_s || (a.time_s == b.time_s && a.access_point < b.access_point);
+  });
+  return chances;
+}
+
+}  // namespace
+
+std::vector<std::string> validate(const RecordingConfig& config) {
+  std::vector<std::string> problems;
+  const RangeCheck require(problems);
+  require(config.speed, 0.01, 10.0, "speed");
+  require(config.yaw_rate, 0.01, 100.0, "yaw_rate");
+  require(config.link_rate, 0.01, 1000.0, "link_rate");
+  require(config.scan_period, 0.01, 1000.0, "scan_period");
+  require(config.start, 0.0, 9e9, "start");
+  require(config.registration_error, 0.0, 10.0, "registration_error");
+  require(config.registration_distance, 0.01, 1000.0, "registration_distance");
+  require(config.drift, 0.0, 1.0, "drift");
+  for (const std::string& problem : validate(config.radio)) {
+    problems.push_back("radio/" + problem);
+  }
+  return problems;
+}
+
+PositionError::PositionError(const RecordingConfig& config)
+    : registration_error_(config.registration_error),
+      drift_(config.drift),
+      registration_x_(RandomField::Kind::kSmooth, config.registration_distance, config.radio.seed,
+                      streamOf(Purpose::kErrorX)),
+      registration_y_(RandomField::Kind::kSmooth, config.registration_distance, config.radio.seed,
+                      streamOf(Purpose::kErrorY)),
+      drift_x_(RandomField::Kind::kSmooth, kDriftTurns, config.radio.seed,
+               streamOf(Purpose::kDriftX)),
+      drift_y_(RandomField::Kind::kSmooth, kDriftTurns, config.radio.seed,
+               streamOf(Purpose::kDriftY)) {}
+
+Position PositionError::registration(const Position& position) const {
+  if (registration_error_ == 0.0) {
+    return Position::Zero();
+  }
+  return registration_error_ * Position(registration_x_.at(position), registration_y_.at(position));
+}
+
+Position PositionError::drift(double driven_m) const {
+  if (drift_ == 0.0) {
+    return Position::Zero();
+  }
+  const Position at(driven_m, 0.0);
+  return std::sqrt(0.5) * drift_ * driven_m * Position(drift_x_.at(at), drift_y_.at(at));
+}
+
+SimulatedDrive::SimulatedDrive(const std::vector<Position>& way_points,
+                               const RecordingConfig& config)
+    : route_(way_points, usable(config).speed, config.yaw_rate), error_(config) {}
+
+RobotPose SimulatedDrive::reportedPose(double time_s) const {
+  RobotPose pose = route_.poseAt(time_s);
+  const Position registration = error_.registration(pose.position);
+  const Position drift = error_.drift(route_.drivenAt(time_s));
+  pose.position += registration + drift;
+  return pose;
+}
+
+SimulatedRecording simulateRecording(const Plan& plan, const std::vector<Position>& way_points,
+                                     const std::vector<Transmitter>& transmitters,
+                                     const RecordingConfig& config) {
+  const SimulatedDrive drive(way_points, config);
+  const RadioModel radio(plan, transmitters, config.radio);
+  SimulatedRecording recording;
+  for (const Chance& chance : chancesToHear(transmitters.size(), drive.duration(), config)) {
+    const RobotPose pose = drive.truePose(chance.time_s);
+    const auto rssi_dbm = radio.rssi(chance.access_point, pose, chance.sample);
+    if (!rssi_dbm) {
+      continue;
+    }
+    Reading reading;
+    reading.stamp_ns = std::llround((config.start + chance.time_s) * 1e9);
+    reading.antenna_in_map = drive.reportedPose(chance.time_s).position;
+    reading.bssid = transmitters[chance.access_point].access_point.bssid;
+    reading.rssi_dbm = *rssi_dbm;
+    recording.readings.push_back(reading);
+    recording.truth.push_back(
+        {pose, chance.access_point, radio.wallCount(chance.access_point, pose.position)});
+  }
+  return recording;
+}
+
+}  // namespace sfw

@@ -1,0 +1,72 @@
+#include "tomography/line_rays.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace sfw {
+
+Unknowns::Unknowns(const std::vector<LineLattice>& lattices) {
+  std::int64_t slots = 0;
+  for (std::size_t i = 0; i < lattices.size(); ++i) {
+    const GridGeometry& geometry = lattices[i].geometry;
+    const auto cells = static_cast<std::int64_t>(geometry.size());
+    blocks_.push_back({{i, true}, slots, geometry.height(), slots + cells});
+    blocks_.push_back({{i, false}, slots + cells, geometry.width(), slots + 2 * cells});
+    slots += 2 * cells;
+  }
+  number_.assign(static_cast<std::size_t>(slots), kNone);
+}
+
+void Unknowns::number() {
+  for (std::size_t slot = 0; slot < number_.size(); ++slot) {
+    if (number_[slot] != kNone) {
+      number_[slot] = static_cast<std::int32_t>(slots_.size());
+      slots_.push_back(static_cast<std::int32_t>(slot));
+    }
+  }
+}
+
+Eigen::ArrayXf Unknowns::continued() const {
+  const std::size_t pairs = std::max<std::size_t>(slots_.size(), 1) - 1;
+  Eigen::ArrayXf continued = Eigen::ArrayXf::Zero(static_cast<Eigen::Index>(pairs));
+  forEachSlot([&](std::size_t i, const Block& block, std::int64_t place) {
+    const bool line_ends = (place + 1) % block.along == 0;
+    if (i < pairs && !line_ends && slots_[i + 1] == slots_[i] + 1) {
+      continued[static_cast<Eigen::Index>(i)] = 1.0F;
+    }
+  });
+  return continued;
+}
+
+Rays::Rays(const std::vector<LineLattice>& lattices, const std::vector<HeardAccessPoint>& heard,
+           const std::vector<Mask>& driven, const std::atomic<bool>& stop)
+    : unknowns_(lattices) {
+  SparseSums::Choice crossed;  // slots by ray
+  for (const HeardAccessPoint& one : heard) {
+    for (const RadioBin& bin : one.bins) {
+      if (stop) {
+        return;
+      }
+      const auto ray = static_cast<std::int32_t>(size_++);
+      for (std::size_t i = 0; i < lattices.size(); ++i) {
+        forEachLine(lattices[i].geometry, lattices[i].toLattice(one.position),
+                    lattices[i].toLattice(bin.place), [&](bool across_x, Cell cell) {
+                      if (driven[i][cell] == 0) {
+                        const std::int32_t slot = unknowns_.slot({i, across_x}, cell);
+                        unknowns_.add(slot);
+                        crossed.sum.push_back(ray);
+                        crossed.term.push_back(slot);
+                      }
+                    });
+      }
+    }
+  }
+  unknowns_.number();
+  for (std::int32_t& slot : crossed.term) {
+    slot = unknowns_.in(slot);
+  }
+  along_ = SparseSums(size_, unknowns_.size(), crossed);
+  spread_ = SparseSums(unknowns_.size(), size_, SparseSums::transposed(std::move(crossed)));
+}
+
+}  // namespace sfw

@@ -1,0 +1,135 @@
+#include "tomography/wall_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "base/random.h"
+#include "base/random_streams.h"
+#include "grid/distance_transform.h"
+#include "grid/morphology.h"
+
+namespace sfw {
+namespace {
+
+/// A robot keeps away from walls: next to its footprint a wall is unlikely, over this distance it
+/// becomes as likely as anywhere [m].
+constexpr double kShyness = 0.2;
+
+/// Fraction of the whole numbers' reversed digits in a base (van der Corput 1935): shifts that
+/// fill [0, 1) evenly however many there are.
+double evenly(int number, int base) {
+  double value = 0.0;
+  double digit = 1.0 / base;
+  for (; number > 0; number /= base, digit /= base) {
+    value += digit * (number % base);
+  }
+  return value;
+}
+
+/// A member's lattices: each covers the result's grid, shifted by part of a cell.
+std::vector<LineLattice> latticesOf(int member, const GridGeometry& geometry,
+                                    const WallFieldConfig& config) {
+  const double resolution = config.line_resolution;
+  const Position offset(evenly(member, 2) * resolution, evenly(member, 3) * resolution);
+  std::vector<LineLattice> lattices;
+  for (int i = 0; i < config.directions / 2; ++i) {
+    LineLattice lattice{geometry, i * M_PI / config.directions};
+    Box box;
+    for (const auto corner : {Box::BottomLeft, Box::BottomRight, Box::TopLeft, Box::TopRight}) {
+      box.extend(lattice.toLattice(geometry.box().corner(corner)));
+    }
+    const Position size = box.sizes();
+    lattice.geometry =
+        GridGeometry(resolution, box.min() - offset,
+                     static_cast<std::int64_t>(std::ceil(size.x() / resolution)) + 1,
+                     static_cast<std::int64_t>(std::ceil(size.y() / resolution)) + 1);
+    lattices.push_back(lattice);
+  }
+  return lattices;
+}
+
+/// The bins that a member hears; all if it is the only one.
+std::vector<HeardAccessPoint> heardBy(int member, const std::vector<HeardAccessPoint>& heard,
+                                      const WallFieldConfig& config) {
+  std::vector<HeardAccessPoint> part = heard;
+  if (config.members < 2) {
+    return part;
+  }
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    Random random(member, streamOf(Purpose::kLeftOutBins, i), 0);
+    std::vector<RadioBin>& bins = part[i].bins;
+    bins.erase(std::remove_if(bins.begin(), bins.end(),
+                              [&](const RadioBin&) { return random.uniform() <= config.left_out; }),
+               bins.end());
+  }
+  return part;
+}
+
+/// Cells of a lattice whose middles are no farther from the path.
+Mask coveredOn(const LineLattice& lattice, const Grid<double>& distance, double radius) {
+  Mask driven(lattice.geometry);
+  const GridGeometry& fine = distance.geometry;
+  for (std::size_t i = 0; i < driven.cells.size(); ++i) {
+    const Position centre = lattice.geometry.centre(lattice.geometry.cell(i));
+    const Cell at = fine.cellAt(lattice.toBuilding(centre));
+    driven.cells[i] = fine.contains(at) && distance[at] * fine.resolution() <= radius ? 1 : 0;
+  }
+  return driven;
+}
+
+void addTo(Grid<float>& sum, const LineField& member, float share) {
+  for (const LatticeLoss& loss : member) {
+    for (std::size_t i = 0; i < sum.cells.size(); ++i) {
+      const Position centre = sum.geometry.centre(sum.geometry.cell(i));
+      const Cell at = loss.lattice.geometry.cellAt(loss.lattice.toLattice(centre));
+      sum.cells[i] += share * (loss.across_x[at] + loss.across_y[at]);
+    }
+  }
+}
+
+/// Takes off where the robot is unlikely to have come so near to a wall.
+void weakenBeside(const Grid<double>& distance, double radius, Grid<float>& strength) {
+  for (std::size_t i = 0; i < strength.cells.size(); ++i) {
+    const double away = std::max(0.0, distance.cells[i] * strength.geometry.resolution() - radius);
+    const double likely = 1.0 - std::exp(-away / kShyness);
+    strength.cells[i] *= static_cast<float>(likely * likely);
+  }
+}
+
+}  // namespace
+
+double lossBetween(const WallField& field, const Position& from, const Position& to) {
+  double sum = 0.0;
+  for (const LineField& member : field.members) {
+    sum += lossBetween(member, from, to);
+  }
+  return sum / static_cast<double>(std::max<std::size_t>(field.members.size(), 1));
+}
+
+WallField estimateWalls(const GridGeometry& geometry, const std::vector<HeardAccessPoint>& heard,
+                        const Mask& path, double robot_radius, const WallFieldConfig& config,
+                        const std::atomic<bool>& stop) {
+  WallField result{{}, Grid<float>(geometry), {}};
+  const Grid<double> distance = distanceTransform(path);
+  for (int member = 0; member < config.members && !stop; ++member) {
+    const std::vector<LineLattice> lattices = latticesOf(member, geometry, config);
+    std::vector<Mask> driven;
+    for (const LineLattice& lattice : lattices) {
+      driven.push_back(coveredOn(lattice, distance, robot_radius));
+    }
+    result.members.push_back(
+        solveLineField(lattices, heardBy(member, heard, config), driven, config.line, stop));
+    addTo(result.strength, result.members.back(), 1.0F / static_cast<float>(config.members));
+  }
+  weakenBeside(distance, robot_radius, result.strength);
+  for (const HeardAccessPoint& one : heard) {
+    result.ray_loss.emplace_back(one.bins.size(), 0.0);
+    for (std::size_t i = 0; i < one.bins.size() && !stop; ++i) {
+      result.ray_loss.back()[i] = lossBetween(result, one.position, one.bins[i].place);
+    }
+  }
+  return result;
+}
+
+}  // namespace sfw

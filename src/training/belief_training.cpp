@@ -1,0 +1,215 @@
+#include "training/belief_training.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+#include "base/random.h"
+#include "base/random_streams.h"
+#include "belief/fused_belief.h"
+
+namespace sfw {
+namespace {
+
+constexpr Eigen::Index kSize = kCellFeatures + 1;  // the intercept is last
+using Vector = Eigen::Matrix<double, kSize, 1>;
+using Matrix = Eigen::Matrix<double, kSize, kSize>;
+using Cells = Eigen::Matrix<double, kSize, Eigen::Dynamic>;
+using FreeCells = Eigen::Array<std::uint8_t, Eigen::Dynamic, 1>;
+
+/// A drive and how much it counts.
+struct Weighed {
+  const TrainingCells* drive;
+  double weight;
+};
+
+struct Scale {
+  std::array<double, kCellFeatures> mean{};
+  std::array<double, kCellFeatures> deviation{};
+};
+
+Scale scaleOf(const std::vector<Weighed>& training) {
+  Scale scale;
+  double count = 0.0;
+  std::array<double, kCellFeatures> squares{};
+  for (const Weighed& one : training) {
+    for (const auto& cell : one.drive->cells) {
+      for (std::size_t i = 0; i < kCellFeatures; ++i) {
+        const auto value = static_cast<double>(cell[i]);
+        scale.mean[i] += one.weight * value;
+        squares[i] += one.weight * value * value;
+      }
+    }
+    count += one.weight * static_cast<double>(one.drive->cells.size());
+  }
+  for (std::size_t i = 0; i < kCellFeatures; ++i) {
+    scale.mean[i] /= count;
+    scale.deviation[i] =
+        std::sqrt(std::max(squares[i] / count - scale.mean[i] * scale.mean[i], 1e-12));
+  }
+  return scale;
+}
+
+/// Some cells, each a column with a one as its last element.
+Cells standardised(const TrainingCells& drive, std::size_t from, std::size_t count,
+                   const Scale& scale, bool radio) {
+  Cells cells = Cells::Zero(kSize, static_cast<Eigen::Index>(count));
+  for (std::size_t j = 0; j < count; ++j) {
+    const std::array<float, kCellFeatures>& cell = drive.cells[from + j];
+    const auto column = static_cast<Eigen::Index>(j);
+    for (std::size_t i = 0; i < kCellFeatures; ++i) {
+      if (radio || !usesRadio(i)) {
+        cells(static_cast<Eigen::Index>(i), column) =
+            (static_cast<double>(cell[i]) - scale.mean[i]) / scale.deviation[i];
+      }
+    }
+    cells(kSize - 1, column) = 1.0;
+  }
+  return cells;
+}
+
+/// Gradient and curvature of minus the log likelihood.
+struct Slope {
+  Vector gradient;
+  Matrix curvature;
+};
+
+void addCells(const Weighed& one, const Scale& scale, bool radio, const Vector& weights,
+              Slope& slope) {
+  constexpr std::size_t kBlock = 1000;  // cells at once: products of matrices are fast
+  const TrainingCells& drive = *one.drive;
+  for (std::size_t from = 0; from < drive.cells.size(); from += kBlock) {
+    const std::size_t count = std::min(kBlock, drive.cells.size() - from);
+    const Cells cells = standardised(drive, from, count, scale, radio);
+    const Eigen::ArrayXd p = (1.0 + (-(cells.transpose() * weights).array()).exp()).inverse();
+    const Eigen::Map<const FreeCells> free(drive.free.data() + from,
+                                           static_cast<Eigen::Index>(count));
+    slope.gradient += cells * (one.weight * (p - free.cast<double>())).matrix();
+    slope.curvature +=
+        cells * (one.weight * p * (1.0 - p)).matrix().asDiagonal() * cells.transpose();
+  }
+}
+
+/// The penalised maximum of likelihood. The penalty matters little to hundreds of thousands of
+/// cells, but features that nearly repeat each other share a weight instead of opposing it.
+BeliefModel::Weights regression(const std::vector<Weighed>& training, const Scale& scale,
+                                bool radio) {
+  constexpr int kIterations = 12;
+  constexpr double kRidge = 100.0;
+  Vector penalty = Vector::Constant(kRidge);
+  penalty[kSize - 1] = 0.0;  // the intercept's
+  Vector weights = Vector::Zero();
+  for (int iteration = 0; iteration < kIterations; ++iteration) {
+    Slope slope{penalty.cwiseProduct(weights), penalty.asDiagonal()};
+    for (const Weighed& one : training) {
+      addCells(one, scale, radio, weights, slope);
+    }
+    weights -= slope.curvature.ldlt().solve(slope.gradient);
+  }
+  BeliefModel::Weights result;
+  result.intercept = weights[kSize - 1];
+  for (std::size_t i = 0; i < kCellFeatures; ++i) {
+    result.features[i] = weights[static_cast<Eigen::Index>(i)] / scale.deviation[i];
+    result.intercept -= result.features[i] * scale.mean[i];
+  }
+  return result;
+}
+
+/// An expert that knows only which style it is for.
+BeliefModel::Expert expertFor(DrivingStyle style, const std::vector<TrainingCells>& drives) {
+  std::vector<BeliefModel::Style> styles;
+  for (const TrainingCells& drive : drives) {
+    if (drive.made == style) {
+      styles.push_back(BeliefModel::styleVector(drive.style));
+    }
+  }
+  constexpr std::size_t kLeastDrives = 5;  // for a covariance of three figures
+  if (styles.size() < kLeastDrives) {
+    throw std::invalid_argument("a belief model needs five drives of each style");
+  }
+  const auto count = static_cast<double>(styles.size());
+  BeliefModel::Expert expert;
+  for (const BeliefModel::Style& one : styles) {
+    expert.style_mean += one / count;
+  }
+  // A little of the unit matrix keeps few or equal drives from a singular covariance.
+  expert.style_covariance = 1e-4 * Eigen::Matrix3d::Identity();
+  for (const BeliefModel::Style& one : styles) {
+    const BeliefModel::Style away = one - expert.style_mean;
+    expert.style_covariance += away * away.transpose() / count;
+  }
+  return expert;
+}
+
+MappedDrive asMapped(const TrainingDrive& drive) {
+  MappedDrive mapped;
+  std::map<Bssid, std::size_t> index;
+  for (const AccessPoint& one : drive.access_points) {
+    index[one.bssid] = mapped.heard.size();
+    mapped.heard.push_back({one.position, one.height_m, {}});
+  }
+  for (const Reading& reading : drive.readings) {
+    mapped.heard[index.at(reading.bssid)].samples.push_back(
+        {reading.antenna_in_map, reading.rssi_dbm});
+    if (mapped.path.empty() || mapped.path.back() != reading.antenna_in_map) {
+      mapped.path.push_back(reading.antenna_in_map);
+    }
+  }
+  return mapped;
+}
+
+}  // namespace
+
+TrainingCells cellsOf(const TrainingDrive& drive, const Config& config, std::size_t count,
+                      std::int64_t seed) {
+  const std::atomic<bool> never{false};
+  const DescribedDrive described = describeDrive(asMapped(drive), config, never);
+  const GridGeometry& geometry = described.cells.geometry;
+  Random random(seed, streamOf(Purpose::kTrainingCells), 0);
+  const double share =
+      static_cast<double>(count) / static_cast<double>(described.cells.cells.size());
+  TrainingCells training{drive.style, described.cells.style, {}, {}};
+  for (std::size_t i = 0; i < described.cells.cells.size(); ++i) {
+    if (random.uniform() > share) {
+      continue;
+    }
+    const Position place =
+        described.frame.toMap(geometry.centre(geometry.cell(described.cells.cells[i])));
+    const Cell c = drive.truth.geometry.cellAt(place);
+    const bool free = drive.truth.geometry.contains(c) && drive.truth[c] == CellState::kFree;
+    training.cells.push_back(described.cells.values[i]);
+    training.free.push_back(free ? 1 : 0);
+  }
+  return training;
+}
+
+BeliefModel fitBeliefModel(const std::vector<TrainingCells>& drives) {
+  for (const TrainingCells& drive : drives) {
+    if (drive.free.size() != drive.cells.size()) {
+      throw std::invalid_argument("each training cell needs a state");
+    }
+  }
+  std::array<BeliefModel::Expert, kDrivingStyles> experts;
+  for (std::size_t i = 0; i < kDrivingStyles; ++i) {
+    experts[i] = expertFor(static_cast<DrivingStyle>(i), drives);
+  }
+  const BeliefModel styles(experts);
+  for (std::size_t i = 0; i < kDrivingStyles; ++i) {
+    std::vector<Weighed> training;
+    for (const TrainingCells& drive : drives) {
+      const double share = styles.shares(drive.style)[i];
+      if (share > 0.0) {
+        training.push_back({&drive, share});
+      }
+    }
+    const Scale scale = scaleOf(training);
+    experts[i].with_radio = regression(training, scale, true);
+    experts[i].without_radio = regression(training, scale, false);
+  }
+  return BeliefModel(experts);
+}
+
+}  // namespace sfw

@@ -1,0 +1,136 @@
+#include "training/training_drive.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/random_streams.h"
+#include "grid/morphology.h"
+#include "k_visibility/k_visibility.h"
+#include "simulation/radio/noise_level.h"
+#include "simulation/scenario.h"
+#include "structure_from_wifi/input_error.h"
+#include "training/training_world.h"
+
+namespace sfw {
+namespace {
+
+bool happens(double probability, Random& random) { return random.uniform() <= probability; }
+
+NoiseLevel chooseLevel(Random& random) {
+  const double draw = random.uniform();
+  return draw < 0.1 ? NoiseLevel::kIdeal : draw < 0.8 ? NoiseLevel::kRealistic : NoiseLevel::kHard;
+}
+
+/// Wider than the levels: losses of walls in homes were measured from 1.4 to 8.3 dB, and the first
+/// fits of their saturation, shadowing and its reach differ as much.
+void varyRadio(NoiseLevel level, RadioModel::Config& radio, Random& random) {
+  radio.interior_wall_loss = random.uniform(2.0, 11.0);
+  radio.outer_wall_loss = radio.interior_wall_loss * random.uniform(1.0, 2.0);
+  radio.shadowing = random.uniform(2.0, 6.0);
+  radio.shadowing_distance = random.uniform(0.4, 1.6);
+  if (level != NoiseLevel::kIdeal) {
+    radio.saturation = random.uniform(8.0, 22.0);
+  }
+}
+
+/// Positions of the readings, each once in a row.
+std::vector<Position> pathOf(const std::vector<Reading>& readings) {
+  std::vector<Position> path;
+  for (const Reading& reading : readings) {
+    if (path.empty() || path.back() != reading.antenna_in_map) {
+      path.push_back(reading.antenna_in_map);
+    }
+  }
+  return path;
+}
+
+/// Only a part of the drive, at a random place of it.
+void shorten(std::vector<Reading>& readings, Random& random) {
+  const double share = random.uniform(0.2, 0.9);
+  const double begin = random.uniform(0.0, 1.0 - share);
+  const auto index = [&](double at) {
+    return static_cast<std::ptrdiff_t>(at * static_cast<double>(readings.size()));
+  };
+  readings = {readings.begin() + index(begin), readings.begin() + index(begin + share)};
+}
+
+}  // namespace
+
+Grid<CellState> seenFrom(const std::vector<Position>& path, const Grid<CellState>& states) {
+  constexpr double kSpacing = 0.8;    // [m], of the places looked from
+  constexpr double kWallDepth = 2.0;  // cells of a wall's face
+  Mask seen(states.geometry);
+  const Position* last = nullptr;
+  for (const Position& position : path) {
+    const Cell c = states.geometry.cellAt(position);
+    if ((last != nullptr && (position - *last).norm() < kSpacing) || !states.geometry.contains(c) ||
+        states[c] != CellState::kFree) {
+      continue;
+    }
+    last = &position;
+    const Grid<std::uint8_t> walls = forwardKVisibility(states, position);
+    for (std::size_t i = 0; i < seen.cells.size(); ++i) {
+      seen.cells[i] = seen.cells[i] != 0 || walls.cells[i] == 0 ? 1 : 0;
+    }
+  }
+  const Mask near = dilated(seen, kWallDepth);
+  Grid<CellState> truth(states.geometry, CellState::kUnknown);
+  for (std::size_t i = 0; i < truth.cells.size(); ++i) {
+    const bool visible =
+        states.cells[i] == CellState::kFree ? seen.cells[i] != 0 : near.cells[i] != 0;
+    truth.cells[i] = visible ? states.cells[i] : CellState::kUnknown;
+  }
+  return truth;
+}
+
+std::optional<TrainingDrive> makeTrainingDrive(const Plan& plan, DrivingStyle style,
+                                               std::int64_t seed) {
+  Random random(seed, streamOf(Purpose::kTrainingDrive), 0);
+  ScenarioConfig config;
+  config.seed = seed;
+  config.level = chooseLevel(random);
+  config.path = style == DrivingStyle::kAlongWalls ? "walls" : "sparse";
+  config.access_points = 1 + static_cast<std::int64_t>(random.uniform(0.0, 4.99));
+  config.robot_radius = random.uniform(0.01, 0.15);
+  const bool strolls = style == DrivingStyle::kStroll;
+  const bool covers_all = !happens(strolls ? 0.25 : 0.6, random);
+
+  Plan walls = plan;
+  if (happens(strolls ? 0.3 : 0.7, random)) {
+    cutOut(walls, random);
+  }
+  Plan furnished = walls;
+  const double furnished_share = style == DrivingStyle::kAlongWalls ? 0.7
+                                 : style == DrivingStyle::kPatrol   ? 0.5
+                                                                    : 0.0;
+  if (happens(furnished_share, random)) {
+    furnish(furnished, random);
+  }
+  TrainingDrive drive{{}, {}, style, toStates(furnished)};
+  try {
+    Scenario scenario = makeScenario(furnished, {}, config);
+    if (style == DrivingStyle::kAlongWalls && happens(0.7, random)) {
+      scenario.way_points =
+          loosened(scenario.way_points, furnished, config.robot_radius + 0.03, random);
+    } else if (strolls) {
+      const double clearance = config.robot_radius + random.uniform(0.0, 0.6);
+      scenario.way_points = strolling(scenario.way_points, furnished, clearance, random);
+    }
+    varyRadio(config.level, scenario.recording.radio, random);
+    scenario.plan = walls;  // furniture weakens signals less than walls: the level has its own
+    drive.readings = simulate(scenario).readings;
+    drive.access_points = scenario.access_points;
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+  if (!covers_all) {
+    shorten(drive.readings, random);
+  }
+  if (drive.readings.empty()) {
+    return std::nullopt;
+  }
+  drive.truth = seenFrom(pathOf(drive.readings), drive.truth);
+  return drive;
+}
+
+}  // namespace sfw

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "path/path_style.h"
+#include "simulation/building/floor_plan.h"
+#include "simulation/simulated_recording.h"
+#include "structure_from_wifi/types.h"
+
+namespace sfw {
+
+/// A simulated drive to fit a belief model to, with what a lidar would have seen on the way.
+struct TrainingDrive {
+  std::vector<Reading> readings;
+  std::vector<AccessPoint> access_points;
+  DrivingStyle style = DrivingStyle::kAlongWalls;
+  Grid<CellState> truth;  ///< free where seen from the way, occupied, else unknown
+};
+
+/// Makes up a drive through a building, as varied as real ones are (doc/algorithm.md says why):
+///
+/// - up to three rectangles are cut out of the building, as if nobody could get in there;
+/// - along walls and on patrols, furniture often stands in the way of the robot, not of the radio;
+/// - the robot is 1 to 15 cm in radius, as positions of small robots are known to reach that close
+///   to what a lidar calls a wall, and follows walls tightly or loosely, cutting corners; or it
+///   patrols; or it strolls, roaming around on the way, up to the walls; it covers all or a part of
+///   the building;
+/// - the radio is `realistic`, seldom `ideal` or `hard`, with walls of 2 to 11 dB, and 1 to 5
+///   access points.
+///
+/// @return nothing if the robot fits nowhere in what is left of the building.
+/// Deterministic.
+std::optional<TrainingDrive> makeTrainingDrive(const Plan& plan, DrivingStyle style,
+                                               std::int64_t seed);
+
+/// What a lidar sees on a path: free cells within sight stay free, occupied ones beside them
+/// occupied; all others become unknown.
+Grid<CellState> seenFrom(const std::vector<Position>& path, const Grid<CellState>& states);
+
+}  // namespace sfw

@@ -1,0 +1,216 @@
+#include "training/training_world.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "grid/distance_transform.h"
+
+namespace sfw {
+namespace {
+
+constexpr double kTurn = 6.28318530717958647693;
+
+template <class Visitor>
+void forEachCell(const GridGeometry& geometry, Visitor&& visit) {
+  Cell c;
+  for (c.y = 0; c.y < geometry.height(); ++c.y) {
+    for (c.x = 0; c.x < geometry.width(); ++c.x) {
+      visit(c);
+    }
+  }
+}
+
+/// Distances to the nearest cell that is not free [m].
+class Clearance {
+ public:
+  Clearance(const Plan& plan, double least) : distance_(distanceOf(plan)), least_(least) {}
+
+  double at(Cell c) const {
+    return distance_.geometry.contains(c) ? distance_[c] * distance_.geometry.resolution() : 0.0;
+  }
+
+  /// Whether a straight way keeps clear.
+  bool allows(const Position& from, const Position& to) const {
+    const double length = (to - from).norm();
+    const int steps = 1 + static_cast<int>(length / distance_.geometry.resolution());
+    for (int i = 0; i <= steps; ++i) {
+      const Position place = from + (to - from) * (static_cast<double>(i) / steps);
+      if (at(distance_.geometry.cellAt(place)) < least_) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  static Grid<double> distanceOf(const Plan& plan) {
+    Mask obstacles(plan.geometry);
+    for (std::size_t i = 0; i < plan.cells.size(); ++i) {
+      obstacles.cells[i] = plan.cells[i] == Material::kFree ? 0 : 1;
+    }
+    return distanceTransform(obstacles);
+  }
+
+ private:
+  Grid<double> distance_;
+  double least_;
+};
+
+Position away(double length, Random& random) {
+  const double bearing = random.uniform(0.0, kTurn);
+  return length * Position(std::cos(bearing), std::sin(bearing));
+}
+
+/// Way points no more than 1.2 m apart on the same way.
+std::vector<Position> divided(const std::vector<Position>& way) {
+  constexpr double kLongest = 1.2;  // [m]
+  std::vector<Position> dense;
+  for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+    const Position step = way[i + 1] - way[i];
+    const int parts = std::max(1, static_cast<int>(step.norm() / kLongest));
+    for (int part = 0; part < parts; ++part) {
+      dense.push_back(way[i] + step * (static_cast<double>(part) / parts));
+    }
+  }
+  dense.push_back(way.back());
+  return dense;
+}
+
+/// Chaikin's corner cutting (1974), where there is room for it.
+std::vector<Position> smoothed(const std::vector<Position>& way, const Clearance& clearance) {
+  std::vector<Position> smooth{way.front()};
+  for (std::size_t i = 1; i + 1 < way.size(); ++i) {
+    const Position before = 0.75 * way[i] + 0.25 * way[i - 1];
+    const Position after = 0.75 * way[i] + 0.25 * way[i + 1];
+    if (clearance.allows(before, after)) {
+      smooth.insert(smooth.end(), {before, after});
+    } else {
+      smooth.push_back(way[i]);
+    }
+  }
+  smooth.push_back(way.back());
+  return smooth;
+}
+
+}  // namespace
+
+void cutOut(Plan& plan, Random& random) {
+  constexpr double kWall = 0.2;  // [m]
+  const GridGeometry geometry = plan.geometry;
+  Box building;
+  forEachCell(geometry, [&](Cell c) {
+    if (plan[c] == Material::kFree) {
+      building.extend(geometry.centre(c));
+    }
+  });
+  const Position extent = building.sizes();
+  const int count = 1 + static_cast<int>(random.uniform(0.0, 2.99));
+  for (int i = 0; i < count; ++i) {
+    const Position size(1.0 + random.uniform() * std::min(4.0, 0.45 * extent.x()),
+                        1.0 + random.uniform() * std::min(4.0, 0.45 * extent.y()));
+    const Position corner = building.min() +
+                            extent.cwiseProduct(Position(random.uniform(), random.uniform())) -
+                            0.5 * size;
+    forEachCell(geometry, [&](Cell c) {
+      const Position inside = geometry.centre(c) - corner;
+      const double depth = std::min(inside.minCoeff(), (size - inside).minCoeff());
+      if (depth >= 0.0 && plan[c] != Material::kUnknown) {
+        plan[c] = depth < kWall ? Material::kOuterWall : Material::kUnknown;
+      }
+    });
+  }
+}
+
+void furnish(Plan& plan, Random& random) {
+  const GridGeometry geometry = plan.geometry;
+  const Clearance clearance(plan, 0.0);
+  std::vector<Cell> against_walls;
+  double area = 0.0;
+  forEachCell(geometry, [&](Cell c) {
+    if (plan[c] == Material::kFree) {
+      area += geometry.resolution() * geometry.resolution();
+      if (clearance.at(c) <= 1.5 * geometry.resolution()) {
+        against_walls.push_back(c);
+      }
+    }
+  });
+  const int pieces = static_cast<int>(area / random.uniform(3.0, 9.0));
+  for (int i = 0; i < pieces && !against_walls.empty(); ++i) {
+    const auto chosen = static_cast<std::size_t>((1.0 - random.uniform()) *
+                                                 static_cast<double>(against_walls.size()));
+    const Position at = geometry.centre(against_walls[chosen]);
+    Position half(random.uniform(0.2, 1.0), random.uniform(0.15, 0.6));
+    const double depth = half.y();
+    if (random.uniform() < 0.5) {
+      std::swap(half.x(), half.y());
+    }
+    forEachCell(geometry, [&](Cell c) {
+      const Position off = (geometry.centre(c) - at).cwiseAbs();
+      if (plan[c] == Material::kFree && clearance.at(c) < depth + 0.1 && off.x() < half.x() &&
+          off.y() < half.y()) {
+        plan[c] = Material::kInteriorWall;
+      }
+    });
+  }
+}
+
+std::vector<Position> loosened(const std::vector<Position>& way, const Plan& plan,
+                               double clearance_m, Random& random) {
+  const Clearance clearance(plan, clearance_m);
+  const double displacement = random.uniform(0.1, 0.5);
+  const double left_out = random.uniform(0.0, 0.35);
+  const std::vector<Position> dense = divided(way);
+  std::vector<Position> loose{dense.front()};
+  for (std::size_t i = 1; i < dense.size(); ++i) {
+    const Position& next = dense[std::min(i + 1, dense.size() - 1)];
+    if (i + 1 < dense.size() && random.uniform() < left_out &&
+        clearance.allows(loose.back(), next)) {
+      continue;
+    }
+    Position place = dense[i];
+    for (int attempt = 0; attempt < 4; ++attempt) {
+      const Position candidate = dense[i] + away(displacement * random.uniform(), random);
+      if (clearance.allows(loose.back(), candidate) && clearance.allows(candidate, next)) {
+        place = candidate;
+        break;
+      }
+    }
+    loose.push_back(place);
+  }
+  return smoothed(smoothed(loose, clearance), clearance);
+}
+
+std::vector<Position> strolling(const std::vector<Position>& way, const Plan& plan,
+                                double clearance_m, Random& random) {
+  constexpr double kFarthest = 3.0;  // [m] from the way point
+  const Clearance clearance(plan, clearance_m);
+  const double longest = random.uniform(0.2, 1.2);
+  const double most = random.uniform(6.0, 46.0);
+  std::vector<Position> stroll;
+  for (const Position& start : way) {
+    stroll.push_back(start);
+    if (random.uniform() < 0.25) {
+      continue;
+    }
+    std::vector<Position> out{start};
+    const int steps = static_cast<int>(random.uniform(0.0, most));
+    for (int i = 0; i < steps; ++i) {
+      const Position next = out.back() + away(longest * std::sqrt(random.uniform()), random);
+      if ((next - start).norm() < kFarthest && clearance.allows(out.back(), next)) {
+        out.push_back(next);
+        stroll.push_back(next);
+      }
+    }
+    // Back as it came, until the way point is in sight.
+    while (out.size() > 1) {
+      out.pop_back();
+      stroll.push_back(out.back());
+      if (clearance.allows(out.back(), start)) {
+        break;
+      }
+    }
+    stroll.push_back(start);
+  }
+  return stroll;
+}
+
+}  // namespace sfw

@@ -1,0 +1,51 @@
+#include <gtest/gtest.h>
+
+#include "structure_from_wifi/types.h"
+
+namespace sfw {
+namespace {
+
+/// The canonical form of what is read; empty if nothing is.
+std::string read(std::string_view text) {
+  const std::optional<Bssid> bssid = Bssid::parse(text);
+  return bssid ? bssid->str() : "";
+}
+
+TEST(Bssid, IsReadInEitherCaseAndWithEitherSeparator) {
+  EXPECT_EQ(read("01:23:45:67:89:ab"), "01:23:45:67:89:ab");
+  EXPECT_EQ(read("CD:EF:0A:1B:2C:3D"), "cd:ef:0a:1b:2c:3d");
+  EXPECT_EQ(read("cD-Ef-0a-1B-2c-3D"), "cd:ef:0a:1b:2c:3d");
+  EXPECT_EQ(read("ff:ff:ff:ff:ff:ff"), "ff:ff:ff:ff:ff:ff");
+  EXPECT_EQ(read("00:00:00:00:00:01"), "00:00:00:00:00:01");
+}
+
+TEST(Bssid, IsNothingWhenMalformed) {
+  EXPECT_EQ(read(""), "");
+  EXPECT_EQ(read("01:23:45:67:89:a"), "");
+  EXPECT_EQ(read("01:23:45:67:89:ab:"), "");
+  EXPECT_EQ(read("01:23:45:67:89:ag"), "");
+  EXPECT_EQ(read("01.23.45.67.89.ab"), "");
+  EXPECT_EQ(read("0123456789ab00000"), "");
+  EXPECT_EQ(read("0:123:45:67:89:ab"), "");
+  EXPECT_EQ(read(" 01:23:45:67:89:a"), "");
+  EXPECT_EQ(read("+1:23:45:67:89:ab"), "");
+  EXPECT_EQ(read("01:23:45:67:89:\xc3\xa4"), "");
+  EXPECT_EQ(read(std::string_view("\0\0:00:00:00:00:01", 17)), "");
+}
+
+TEST(Bssid, IsNothingWhenTheRadioIsNotAssociated) {
+  EXPECT_EQ(read("00:00:00:00:00:00"), "");
+  EXPECT_EQ(read("00-00-00-00-00-00"), "");
+}
+
+TEST(Bssid, IsOrderedAsItIsWritten) {
+  const Bssid low = *Bssid::parse("00:00:00:00:00:ff");
+  const Bssid high = *Bssid::parse("00:00:00:00:01:00");
+  EXPECT_LT(low, high);
+  EXPECT_FALSE(high < low);
+  EXPECT_NE(low, high);
+  EXPECT_EQ(high, *Bssid::parse("00-00-00-00-01-00"));
+}
+
+}  // namespace
+}  // namespace sfw

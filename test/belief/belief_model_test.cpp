@@ -1,0 +1,221 @@
+#include "belief/belief_model.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <string>
+
+#include "base/random.h"
+#include "structure_from_wifi/input_error.h"
+#include "training/belief_training.h"
+
+namespace sfw::test {
+namespace {
+
+const PathStyle kWallFollower{0.5, 0.5, 0.05};
+const PathStyle kPatrolling{0.9, 0.5, 0.05};
+const PathStyle kStrolling{0.1, 0.5, 0.3};
+
+constexpr StyleShares kOnlyAlongWalls{1.0, 0.0, 0.0};
+
+BeliefModel::Expert expertFor(const PathStyle& style) {
+  BeliefModel::Expert expert;
+  expert.style_mean = BeliefModel::styleVector(style);
+  expert.style_covariance = 0.01 * Eigen::Matrix3d::Identity();
+  return expert;
+}
+
+BeliefModel modelWith(const BeliefModel::Expert& along_walls) {
+  return BeliefModel({along_walls, expertFor(kPatrolling), expertFor(kStrolling)});
+}
+
+std::array<float, kCellFeatures> cellWith(std::size_t feature, float value) {
+  std::array<float, kCellFeatures> cell{};
+  cell[feature] = value;
+  return cell;
+}
+
+TEST(BeliefModel, IsLogisticInItsFeatures) {
+  BeliefModel::Expert expert = expertFor(kWallFollower);
+  expert.with_radio.intercept = 1.0;
+  expert.with_radio.features[3] = -2.0;
+  expert.without_radio.intercept = -1.0;
+  const BeliefModel model = modelWith(expert);
+  EXPECT_NEAR(model.free(cellWith(3, 0.5F), kOnlyAlongWalls, true), 0.5, 1e-9);
+  EXPECT_NEAR(model.free(cellWith(3, 0.0F), kOnlyAlongWalls, true), 1.0 / (1.0 + std::exp(-1.0)),
+              1e-9);
+  EXPECT_NEAR(model.free(cellWith(3, 0.5F), kOnlyAlongWalls, false), 1.0 / (1.0 + std::exp(1.0)),
+              1e-9);
+}
+
+TEST(BeliefModel, ChoosesTheExpertByThePathsStyle) {
+  const BeliefModel model = modelWith(expertFor(kWallFollower));
+  EXPECT_EQ(model.shares(kWallFollower), (StyleShares{1.0, 0.0, 0.0}));
+  EXPECT_EQ(model.shares(kPatrolling), (StyleShares{0.0, 1.0, 0.0}));
+  EXPECT_EQ(model.shares(kStrolling), (StyleShares{0.0, 0.0, 1.0}));
+}
+
+TEST(BeliefModel, MixesExpertsWhereAStyleFitsTwo) {
+  BeliefModel::Expert sure = expertFor(kWallFollower);
+  sure.with_radio.intercept = 2.0;
+  const BeliefModel model = modelWith(sure);
+  const StyleShares shares = model.shares({0.7, 0.5, 0.05});  // midway to patrols
+  EXPECT_NEAR(shares[0], 0.5, 1e-6);
+  EXPECT_NEAR(shares[1], 0.5, 1e-6);
+  EXPECT_NEAR(model.free({}, shares, true), 0.5 / (1.0 + std::exp(-2.0)) + 0.5 * 0.5, 1e-6);
+}
+
+TEST(BeliefModel, RefusesNumbersThatAreNone) {
+  BeliefModel::Expert broken = expertFor(kWallFollower);
+  broken.with_radio.features[0] = std::nan("");
+  EXPECT_THROW(modelWith(broken), std::invalid_argument);
+  broken = expertFor(kWallFollower);
+  broken.style_covariance(0, 0) = -1.0;
+  EXPECT_THROW(modelWith(broken), std::invalid_argument);
+}
+
+TEST(BeliefModel, ComesBackFromItsFile) {
+  BeliefModel::Expert expert = expertFor(kWallFollower);
+  for (std::size_t i = 0; i < kCellFeatures; ++i) {
+    expert.with_radio.features[i] = 0.25 * static_cast<double>(i) - 3.0;
+  }
+  const BeliefModel model = modelWith(expert);
+  const BeliefModel back = parseBeliefModel(toYaml(model), "model.yaml");
+  EXPECT_EQ(toYaml(back), toYaml(model));
+  EXPECT_EQ(back.expert(DrivingStyle::kAlongWalls).with_radio.features, expert.with_radio.features);
+}
+
+TEST(BeliefModel, NamesTheFileAndWhatItLacks) {
+  std::string lacking = toYaml(modelWith(expertFor(kWallFollower)));
+  lacking.replace(lacking.find("    rays: "), 9, "    rain:");
+  std::string without_style = toYaml(modelWith(expertFor(kWallFollower)));
+  without_style.replace(without_style.find("patrol:"), 7, "errand:");
+  for (const std::string& malformed :
+       {lacking, without_style, std::string("nonsense"), std::string()}) {
+    try {
+      parseBeliefModel(malformed, "bad.yaml");
+      FAIL() << malformed;
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string(error.what()).find("bad.yaml"), 0U) << error.what();
+    }
+  }
+}
+
+/// Where walls take `wall` of what signals can lose, and `sight` of them is left.
+std::array<float, kCellFeatures> cellHeard(float wall, float sight) {
+  constexpr float kExplained = 0.6F;
+  std::map<std::string, float> values{{"line_of_sight", sight},
+                                      {"wall_strength", wall},
+                                      {"wall_beside", wall},
+                                      {"explained", kExplained},
+                                      {"explained_line_of_sight", kExplained * sight},
+                                      {"explained_wall_strength", kExplained * wall},
+                                      {"explained_wall_beside", kExplained * wall}};
+  const auto bend = [&](const char* name, float value, float limit) {
+    values[name] = std::max(0.0F, value - limit);
+  };
+  bend("line_of_sight_over_0.1", sight, 0.1F);
+  bend("line_of_sight_over_0.4", sight, 0.4F);
+  bend("wall_strength_over_0.1", wall, 0.1F);
+  bend("wall_beside_over_0.02", wall, 0.02F);
+  bend("wall_beside_over_0.1", wall, 0.1F);
+  std::array<float, kCellFeatures> cell{};
+  for (std::size_t i = 0; i < kCellFeatures; ++i) {
+    const auto found = values.find(cellFeatureNames()[i]);
+    cell[i] = found != values.end() ? found->second : 0.0F;
+  }
+  return cell;
+}
+
+TEST(BeliefModel, IsShippedAndTakesWallsForWalls) {
+  const BeliefModel model = shippedBeliefModel();
+  for (std::size_t style = 0; style < kDrivingStyles; ++style) {
+    SCOPED_TRACE(kDrivingStyleNames[style]);
+    StyleShares shares{};
+    shares[style] = 1.0;
+    const auto free = [&](float wall, float sight) {
+      return model.free(cellHeard(wall, sight), shares, true);
+    };
+    // More wall on the radio's part makes no cell freer, where there are rays at all: below 0.02
+    // the features tell cells that no ray passes near.
+    EXPECT_GT(free(0.02F, 0.5F), free(0.1F, 0.5F));
+    EXPECT_GT(free(0.1F, 0.5F), free(0.3F, 0.5F));
+    EXPECT_GT(free(0.3F, 0.5F), free(0.6F, 0.5F));
+    EXPECT_LT(free(0.05F, 0.1F), free(0.05F, 0.4F));
+    EXPECT_LT(free(0.05F, 0.4F), free(0.05F, 0.9F));
+    const BeliefModel::Expert& expert = model.expert(static_cast<DrivingStyle>(style));
+    for (std::size_t i = 0; i < kCellFeatures; ++i) {
+      if (usesRadio(i)) {
+        EXPECT_EQ(expert.without_radio.features[i], 0.0) << cellFeatureNames()[i];
+      }
+    }
+  }
+}
+
+PathStyle near(const PathStyle& style, Random& random) {
+  return {style.rim_share + 0.1 * random.normal(), style.axis_share + 0.1 * random.normal(),
+          style.winding + 0.01 * random.normal()};
+}
+
+/// Cells that are free by a logistic law with `weight` on feature 1 and -1 on feature 12.
+TrainingCells drawn(DrivingStyle made, const PathStyle& style, double weight, std::size_t count,
+                    Random& random) {
+  TrainingCells drive{made, style, {}, {}};
+  for (std::size_t i = 0; i < count; ++i) {
+    std::array<float, kCellFeatures> cell{};
+    for (float& value : cell) {
+      value = static_cast<float>(random.normal());
+    }
+    const double score =
+        0.5 + weight * static_cast<double>(cell[1]) - static_cast<double>(cell[13]);
+    drive.cells.push_back(cell);
+    drive.free.push_back(random.uniform() < 1.0 / (1.0 + std::exp(-score)) ? 1 : 0);
+  }
+  return drive;
+}
+
+TEST(BeliefTraining, FindsTheWeightsThatMadeTheCells) {
+  Random random(1, 1, 1);
+  std::vector<TrainingCells> drives;
+  for (int i = 0; i < 20; ++i) {
+    drives.push_back(
+        drawn(DrivingStyle::kAlongWalls, near(kWallFollower, random), 1.5, 2000, random));
+    drives.push_back(drawn(DrivingStyle::kPatrol, near(kPatrolling, random), 0.0, 100, random));
+    drives.push_back(drawn(DrivingStyle::kStroll, near(kStrolling, random), -1.5, 4000, random));
+  }
+  const BeliefModel model = fitBeliefModel(drives);
+  const BeliefModel::Expert& stroll = model.expert(DrivingStyle::kStroll);
+  EXPECT_NEAR(stroll.with_radio.intercept, 0.5, 0.06);
+  EXPECT_NEAR(stroll.with_radio.features[1], -1.5, 0.06);
+  EXPECT_NEAR(stroll.with_radio.features[13], -1.0, 0.06);
+  EXPECT_NEAR(stroll.with_radio.features[5], 0.0, 0.06);
+  EXPECT_EQ(stroll.without_radio.features[13], 0.0);  // of the radio
+  EXPECT_NEAR(stroll.style_mean[0], 0.1, 0.1);
+  EXPECT_NEAR(std::sqrt(stroll.style_covariance(0, 0)), 0.1, 0.05);
+  EXPECT_GT(model.expert(DrivingStyle::kAlongWalls).with_radio.features[1], 1.3);
+}
+
+TEST(BeliefTraining, ReckonsWithDrivesThatLookLikeAnotherStyle) {
+  Random random(1, 1, 1);
+  std::vector<TrainingCells> drives;
+  for (int i = 0; i < 20; ++i) {
+    // A third of the wall followers looks like patrols.
+    const PathStyle& looks = i % 3 == 0 ? kPatrolling : kWallFollower;
+    drives.push_back(drawn(DrivingStyle::kAlongWalls, near(looks, random), 1.5, 1000, random));
+    drives.push_back(drawn(DrivingStyle::kPatrol, near(kPatrolling, random), 0.0, 1000, random));
+    drives.push_back(drawn(DrivingStyle::kStroll, near(kStrolling, random), 0.0, 100, random));
+  }
+  const double patrol = fitBeliefModel(drives).expert(DrivingStyle::kPatrol).with_radio.features[1];
+  EXPECT_GT(patrol, 0.15);
+  EXPECT_LT(patrol, 1.0);
+}
+
+TEST(BeliefTraining, RefusesTooFewDrives) {
+  EXPECT_THROW(fitBeliefModel({TrainingCells{}}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace sfw::test

@@ -1,0 +1,279 @@
+#!/usr/bin/env python3
+"""Runs `sfw` on good input, and asks it for help and for output where none can go.
+
+Usage: command_line_test.py RESULT.xml SFW
+"""
+
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import unittest
+
+import junit
+from command_line_case import HEADER, MAP_FILES, NEAR, STRANGER, CommandLine, rows
+
+
+class Help(CommandLine):
+    def test_each_command_explains_itself(self):
+        for command in ([], ["map"], ["evaluate"]):
+            with self.subTest(command=command):
+                run = self.good(self.sfw(*command, "--help"))
+                self.assertIn("Usage: sfw", run.stdout)
+
+    def test_the_programs_help_names_its_commands(self):
+        text = self.good(self.sfw("--help")).stdout
+        for command in ("map", "evaluate"):
+            self.assertIn(command, text)
+
+    def test_unknown_commands_and_options_are_named(self):
+        self.bad(self.sfw("mop"), "mop")
+        self.bad(self.sfw(), "subcommand")
+        self.bad(self.map("--resolution", "0.1"), "--resolution")
+        self.bad(self.sfw("evaluate", "--mup", "x"), "--map")
+
+    def test_missing_options_are_named(self):
+        self.bad(self.sfw("map", "--readings", self.readings, "--output", self.output),
+                 "--access-points")
+        self.bad(self.sfw("map", "--readings", self.readings, "--access-points",
+                          self.access_points), "--output")
+
+
+class Place(CommandLine):
+    FLAT = pathlib.Path(__file__).resolve().parent.parent.parent / "config" / "demo" / "flat.yaml"
+
+    def test_prints_a_table_that_map_reads(self):
+        table = self.good(self.sfw("place", "--plan", self.FLAT, "--count", 3)).stdout
+        self.assertEqual(table.count("bssid"), 3)
+        self.assertEqual(table.count("\n"), 4)
+        self.good(self.map(access_points=self.write("placed.yaml", table)))
+        again = self.sfw("place", "--plan", self.FLAT, "--count", 3, "--parameter").stdout
+        self.assertEqual("access_points:\n" + again, table)
+        self.assertNotEqual(self.sfw("place", "--plan", self.FLAT, "--count", 3, "--seed", 2).stdout,
+                            table)
+
+    def test_names_what_it_cannot_use(self):
+        self.bad(self.sfw("place"), "--plan", "--generate")
+        self.bad(self.sfw("place", "--plan", "p.yaml", "--generate", "flat"), "--plan")
+        self.bad(self.sfw("place", "--generate", "castle"), "castle", "flat, office")
+        self.bad(self.sfw("place", "--plan", self.folder / "no.json"), "no.json", "No such file")
+        self.bad(self.sfw("place", "--generate", "flat", "--count", 0), "--count")
+
+
+class GoodInput(CommandLine):
+    def test_writes_all_files_whole(self):
+        self.good(self.map())
+        files = self.bytes_of(self.output)
+        self.assertEqual(sorted(files), MAP_FILES)
+        self.assertTrue(files["map.pgm"].startswith(b"P5"))
+        self.assertTrue(files["map.png"].startswith(b"\x89PNG"))
+        self.assertTrue(files["map.bt"].startswith(b"# Octomap OcTree binary file\n"))
+        self.assertTrue(files["map.ot"].startswith(b"# Octomap OcTree file\n"))
+        report = json.loads(files["report.json"])
+        self.assertEqual([ap["readings"] for ap in report["access_points"]], [120, 120])
+
+    def test_the_same_input_gives_the_same_bytes(self):
+        self.good(self.map())
+        self.good(self.map(output=self.folder / "again"))
+        self.assertEqual(self.bytes_of(self.output), self.bytes_of(self.folder / "again"))
+        self.good(self.map())  # over its own files
+        self.assertEqual(self.bytes_of(self.output), self.bytes_of(self.folder / "again"))
+
+    def test_order_repetition_and_form_of_the_rows_do_not_matter(self):
+        self.good(self.map())
+        table = rows()
+        shuffled = ["y , rssi_dbm,note,bssid,stamp, x"]
+        for row in reversed(table + table[:40]):
+            stamp, x, y, bssid, rssi_dbm = row.split(",")
+            shuffled.append(", ".join([y, rssi_dbm, "-", bssid.upper().replace(":", "-"), stamp, x]))
+        text = "\r\n".join(shuffled) + "\r\n\r\n"
+        self.good(self.map(readings=self.write("shuffled.csv", text), output=self.folder / "again"))
+        self.assertEqual(self.bytes_of(self.output)["map.pgm"],
+                         self.bytes_of(self.folder / "again")["map.pgm"])
+
+    def test_rows_with_faults_are_skipped_and_named(self):
+        faults = ["1.0,nan,2,%s,-50" % NEAR, "1.0,2,2,%s,-50dBm" % NEAR, "1.0,2,2,02:00,-50",
+                  "1.0,2", "1.0,2,2,%s,inf" % NEAR, "1.0,3,-inf,%s,-50" % NEAR]
+        table = rows()
+        text = "\n".join([HEADER] + table[:5] + faults + table[5:]) + "\n"
+        run = self.good(self.map(readings=self.write("faulty.csv", text)))
+        for line, words in ((7, "x 'nan'"), (8, "'-50dBm'"), (9, "'02:00'"), (10, "y ''"),
+                            (11, "'inf'"), (12, "'-inf'")):
+            self.assertIn("line %d: " % line, run.stderr)
+            self.assertIn(words, run.stderr)
+        self.assertIn("faulty.csv", run.stderr)
+        left_out = json.loads((self.output / "report.json").read_text())["left_out"]["by_reason"]
+        self.assertEqual(sum(left_out.values()), len(faults))
+        self.good(self.map(output=self.folder / "again"))
+        self.assertEqual(self.bytes_of(self.output)["map.pgm"],
+                         self.bytes_of(self.folder / "again")["map.pgm"])
+
+    def test_what_is_left_out_is_counted_and_named(self):
+        more = ["1.0,2,2,%s,70" % NEAR, "1.0,2,2,%s,-50" % STRANGER, "1.2,2,2,%s,-51" % STRANGER]
+        text = "\n".join([HEADER] + rows() + more)
+        run = self.good(self.map(readings=self.write("more.csv", text)))
+        self.assertIn("1 readings left out: rssi_dbm is not in (-120, 0]", run.stderr)
+        self.assertIn("percent", run.stderr)
+        self.assertIn(STRANGER + ": 2 readings", run.stderr)
+
+    def test_a_misspelt_setting_is_pointed_out(self):
+        config = self.write("config.yaml", "rssi: {windw: 7}")
+        run = self.good(self.map("--config", config))
+        for words in ("config.yaml", "rssi/windw", "rssi/window"):
+            self.assertIn(words, run.stderr)
+
+    def test_evaluates_what_it_made(self):
+        self.good(self.map())
+        run = self.good(self.sfw("evaluate", "--map", self.output / "map.yaml", "--truth",
+                                 self.output / "map.yaml", "--readings", self.readings, "--json"))
+        figures = json.loads(run.stdout)
+        self.assertEqual(figures["map"]["free_precision"], 1.0)
+        self.assertEqual(figures["map"]["free_iou"], 1.0)
+        table = self.good(self.sfw("evaluate", "--map", self.output / "map.yaml", "--truth",
+                                   self.output / "map.yaml", "--readings", self.readings)).stdout
+        self.assertIn("path only", table)
+
+    def test_files_are_as_readable_as_the_umask_says(self):
+        self.good(self.map())
+        mask = os.umask(0)
+        os.umask(mask)
+        self.assertEqual({path.stat().st_mode & 0o777 for path in self.output.iterdir()},
+                         {0o666 & ~mask})
+
+
+class KVisibility(CommandLine):
+    def counts(self):
+        """A room that a wall divides, looked at from its left half."""
+        row = bytes([0, 254, 254, 0, 254, 254, 0])
+        self.write("plan.pgm", b"P5\n7 3\n255\n" + bytes(7) + row + bytes(7))
+        plan = self.write("plan.yaml", "image: plan.pgm\nresolution: 0.5\norigin: [0, 0, 0]\n"
+                          "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n")
+        self.good(self.sfw("visibility", "--plan", plan, "--access-point", "0.75,0.75", "--output",
+                           self.output))
+        return plan, self.output / "k.pgm"
+
+    def test_counts_walls_and_finds_them_again(self):
+        _, counts = self.counts()
+        row = counts.read_bytes()[-14:-7]
+        self.assertEqual(row, bytes([255, 0, 0, 255, 1, 1, 255]))
+        walls = self.folder / "walls"
+        self.good(self.sfw("dense", "--k-map", counts, "--output", walls))
+        self.assertEqual(sorted(self.bytes_of(walls)), ["map.pgm", "map.png", "map.yaml"])
+        self.assertEqual((walls / "map.pgm").read_bytes()[-14:-7],
+                         bytes([205, 254, 254, 0, 254, 254, 205]))
+
+    def test_an_access_point_out_of_reach(self):
+        plan, _ = self.counts()
+        run = self.sfw("visibility", "--plan", plan, "--access-point", "1e9,0", "--output",
+                       self.folder / "far")
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("--access-point 1e9,0 lies outside", run.stderr)
+        self.assertFalse((self.folder / "far").exists())
+
+
+class Comparison(CommandLine):
+    def test_a_picture_lays_the_map_over_the_truth(self):
+        self.good(self.map())
+        picture = self.folder / "picture.png"
+        judge = ("evaluate", "--map", self.output / "map.yaml", "--truth", self.output / "map.yaml",
+                 "--readings", self.readings, "--picture")
+        self.good(self.sfw(*judge, picture))
+        self.assertTrue(picture.read_bytes().startswith(b"\x89PNG"))
+        run = self.sfw(*judge, self.folder / "none" / "picture.png")
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("picture.png", run.stderr)
+
+    def test_maps_beside_each_other(self):
+        self.good(self.map())
+        made, panels = self.output / "map.yaml", self.folder / "panels.png"
+        judge = ("evaluate", "--map", made, "--truth", made, "--readings", self.readings,
+                 "--beside")
+        run = self.good(self.sfw(*judge, "the same=%s" % made, "--panels", panels, "--json"))
+        figures = json.loads(run.stdout)
+        self.assertEqual(figures["beside"], {"the same": figures["map"]})
+        self.assertTrue(panels.read_bytes().startswith(b"\x89PNG"))
+        self.assertIn("the same", self.good(self.sfw(*judge, "the same=%s" % made)).stdout)
+        for words in (made, "=%s" % made, "title=none.yaml"):
+            self.assertEqual(self.sfw(*judge, words).returncode, 1)
+        twice = self.sfw(*judge, "the same=%s" % made, "--beside", "the same=%s" % made)
+        self.assertEqual(twice.returncode, 1)
+        self.assertIn("'the same' twice", twice.stderr)
+
+    def test_probabilities_that_are_named_are_taken_for_those_beside_the_map(self):
+        self.good(self.map())
+        beside = self.output / "probability.yaml"
+        named = self.output / "named.yaml"
+        named.write_text(beside.read_text())
+        beside.write_text("broken")
+        judge = ("evaluate", "--map", self.output / "map.yaml", "--truth",
+                 self.output / "map.yaml", "--readings", self.readings)
+        self.assertEqual(self.sfw(*judge).returncode, 1)
+        self.good(self.sfw(*judge, "--probability", named))
+
+
+class BadOutput(CommandLine):
+    def test_a_file_in_the_way(self):
+        way = self.write("way", "mine")
+        for output in (way, way / "below"):
+            with self.subTest(output=output):
+                self.bad(self.map(output=output), output)
+                self.assertEqual(way.read_text(), "mine")
+
+    def test_a_directory_that_nobody_can_make(self):
+        # /proc refuses root as well.
+        self.bad(self.map(output="/proc/sfw_map"), "/proc/sfw_map")
+
+    def test_a_directory_in_the_place_of_a_file(self):
+        (self.output / "map.yaml").mkdir(parents=True)
+        run = self.map()
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("map.yaml", run.stderr)
+        self.assertEqual([path.name for path in self.output.iterdir()
+                          if path.name not in MAP_FILES], [])
+
+    @unittest.skipIf(os.geteuid() == 0, "root writes everywhere")
+    def test_a_directory_without_permission(self):
+        self.output.mkdir(mode=0o555)
+        run = self.map()
+        self.assertEqual(run.returncode, 1)
+        self.assertIn(str(self.output), run.stderr)
+        self.assertEqual(list(self.output.iterdir()), [])
+
+    def test_a_model_that_cannot_be_written_is_told_before_it_is_fitted(self):
+        run = self.sfw("fit", "--drives", 10, "--cells", 10, "--output", "/proc/sfw_fit/model.yaml")
+        self.bad(run, "/proc/sfw_fit")
+        self.assertNotIn("done", run.stderr)
+
+    def test_a_picture_that_cannot_be_written_costs_no_figures(self):
+        self.good(self.map())
+        run = self.sfw("evaluate", "--map", self.output / "map.yaml", "--truth",
+                       self.output / "map.yaml", "--readings", self.readings, "--json",
+                       "--picture", "/proc/sfw.png")
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("/proc/sfw.png", run.stderr)
+        self.assertEqual(json.loads(run.stdout)["map"]["free_precision"], 1.0)
+
+    def test_a_map_of_another_place_is_told(self):
+        self.good(self.map())
+        yaml = (self.output / "map.yaml").read_text()
+        far = self.output / "far.yaml"
+        far.write_text(re.sub(r"origin: \[[^,]*", "origin: [900", yaml))
+        run = self.good(self.sfw("evaluate", "--map", far, "--truth", self.output / "map.yaml",
+                                 "--readings", self.readings))
+        self.assertIn("far.yaml", run.stderr)
+        self.assertIn("same frame?", run.stderr)
+
+    def test_a_full_standard_output(self):
+        self.good(self.map())
+        with open("/dev/full", "w") as full:
+            status = subprocess.run(
+                [sys.argv[1], "evaluate", "--map", self.output / "map.yaml", "--truth",
+                 self.output / "map.yaml", "--readings", self.readings, "--json"], stdout=full,
+                stderr=subprocess.DEVNULL, timeout=60).returncode
+        self.assertEqual(status, 1)
+
+
+if __name__ == "__main__":
+    junit.run()

@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+"""Maps the recordings with the shipped settings and holds the maps against the truth.
+
+Usage: recordings_test.py RESULT.xml SFW
+Needs ../shared beside the repository; SFW_SHARED names another place. Skips without it.
+"""
+
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import junit
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+RECORDINGS = pathlib.Path(os.environ.get("SFW_SHARED", ROOT.parent / "shared"),
+                          "data", "recordings")
+SHOWN = ["free_precision", "free_precision_tolerant", "free_recall", "free_iou", "beyond_m2",
+         "beyond_precision", "wall_f1_2", "wall_in_free", "leak", "auc"]
+
+
+def text(value):
+    return "       -" if value is None else "%8.3f" % value
+
+
+@unittest.skipUnless(RECORDINGS.is_dir(), "%s is missing; SFW_SHARED may name the folder of the "
+                     "recordings" % RECORDINGS)
+class Recordings(unittest.TestCase):
+    def setUp(self):
+        self.output = pathlib.Path(tempfile.mkdtemp(prefix="sfw_recordings_"))
+        self.addCleanup(shutil.rmtree, self.output)
+
+    def sfw(self, *arguments):
+        run = subprocess.run([sys.argv[1], *map(str, arguments)], stdout=subprocess.PIPE,
+                             stderr=subprocess.PIPE, text=True, timeout=120)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return run.stdout
+
+    def figures(self, folder, name):
+        """Maps a recording, prints the map's figures beside those of the path, returns them."""
+        recording = RECORDINGS / folder
+        readings = ["--readings", recording / name]
+        access_points = ["--access-points", recording / "access_points.yaml"]
+        self.sfw("map", *readings, *access_points, "--config", ROOT / "config" / "mapping.yaml",
+                 "--output", self.output)
+        figures = json.loads(self.sfw(
+            "evaluate", "--map", self.output / "map.yaml", "--truth", recording / "truth.yaml",
+            *readings, *access_points, "--json"))
+        print("\n%-34s %8s %9s" % (folder + "/" + name, "map", "path only"))
+        for figure in SHOWN:
+            print("  %-32s %s  %s" % (figure, text(figures["map"][figure]),
+                                      text(figures["path_only"][figure])))
+        return figures["map"]
+
+    def check(self, folder, name, precision, iou, wall_f1):
+        figures = self.figures(folder, name)
+        self.assertGreaterEqual(figures["free_precision"], precision)
+        self.assertGreaterEqual(figures["free_iou"], iou)
+        self.assertGreaterEqual(figures["wall_f1_2"], wall_f1)
+
+    def test_two_routers(self):
+        self.check("turtlebot_home_a", "two_routers.csv", 0.89, 0.78, 0.40)
+
+    def test_one_router(self):
+        self.check("turtlebot_home_a", "one_router.csv", 0.89, 0.78, 0.40)
+
+    def test_ble_flat(self):
+        self.check("ble_flat", "survey.csv", 0.94, 0.80, 0.28)
+
+
+if __name__ == "__main__":
+    junit.run()

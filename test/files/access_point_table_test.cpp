@@ -1,0 +1,128 @@
+#include <gtest/gtest.h>
+#include <yaml-cpp/yaml.h>
+
+#include "structure_from_wifi/input_error.h"
+#include "structure_from_wifi/settings_io.h"
+
+namespace sfw {
+namespace {
+
+std::vector<AccessPoint> fromText(const std::string& table) {
+  return accessPointsFromYaml(YAML::Load(table)).access_points;
+}
+
+/// What is complained of, one problem a line.
+std::string complaintOf(const std::string& table) {
+  try {
+    fromText(table);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "nothing";
+}
+
+const std::string kGood = "{bssid: '02:00:00:00:00:01', x: 1, y: 2}";
+
+TEST(AccessPointTable, IsReadWithAllItsFields) {
+  const auto table = fromText(
+      "[{bssid: 02-00-00-00-00-AB, x: -1.5, y: 2e1, z: 2.2, "
+      "name: \"K\xc3\xbc"
+      "che\", tx_dbm: 17}, " +
+      kGood + "]");
+  ASSERT_EQ(table.size(), 2U);
+  EXPECT_EQ(table[0].bssid.str(), "02:00:00:00:00:ab");
+  EXPECT_EQ(table[0].position, Position(-1.5, 20.0));
+  EXPECT_EQ(table[0].height_m, 2.2);
+  EXPECT_EQ(table[0].tx_dbm, 17.0);
+  EXPECT_EQ(table[0].name,
+            "K\xc3\xbc"
+            "che");
+  EXPECT_EQ(table[1].position, Position(1.0, 2.0));
+  EXPECT_FALSE(table[1].height_m);
+  EXPECT_FALSE(table[1].tx_dbm);
+  EXPECT_EQ(table[1].name, "");
+}
+
+TEST(AccessPointTable, MustBeAListWithAnEntry) {
+  const std::string complaint = "access_points must be a list with at least one {bssid, x, y}";
+  for (const std::string table : {"", "[]", "{}", "text", "7", "{bssid: x}"}) {
+    EXPECT_EQ(complaintOf(table), complaint) << table;
+  }
+}
+
+TEST(AccessPointTable, NamesEntryAndFieldOfEachFault) {
+  EXPECT_EQ(complaintOf("[" + kGood + ", 5]"),
+            "access_points[1]: must be a map with bssid and, if they are known, x and y");
+  EXPECT_EQ(complaintOf("[{x: 1, y: 2}]"),
+            "access_points[0]: 'bssid' must look like '02:00:00:00:00:01'; it is ''");
+  EXPECT_EQ(complaintOf("[{bssid: 2:0:0:0:0:1, x: 1, y: 2}]"),
+            "access_points[0]: 'bssid' must look like '02:00:00:00:00:01'; it is '2:0:0:0:0:1'");
+  EXPECT_NE(complaintOf("[{bssid: '00:00:00:00:00:00', x: 1, y: 2}]"), "nothing");
+  EXPECT_NE(complaintOf("[{bssid: [1], x: 1, y: 2}]"), "nothing");
+  EXPECT_EQ(complaintOf("[{bssid: '02:00:00:00:00:01', y: 2}]"),
+            "access_points[0]: 'x' is missing");
+  EXPECT_EQ(complaintOf("[{bssid: '02:00:00:00:00:01', x: 1}]"),
+            "access_points[0]: 'y' is missing");
+}
+
+TEST(AccessPointTable, TakesAnAccessPointWithoutPositionToEstimateIt) {
+  const auto table = fromText("[{bssid: '02:00:00:00:00:09', z: 2}, " + kGood + "]");
+  EXPECT_FALSE(table[0].position_known);
+  EXPECT_EQ(table[0].height_m, 2.0);
+  EXPECT_TRUE(table[1].position_known);
+}
+
+TEST(AccessPointTable, AsksForFiniteNumbers) {
+  for (const std::string bad :
+       {".nan", ".inf", "nan", "inf", "-inf", "far", "[1]", "{}", "", "2000000", "1.0 m"}) {
+    const std::string expected = "must be a number from -1e6 to 1e6";
+    for (const std::string key : {"x", "z", "tx_dbm"}) {
+      const std::string position = key == "x" ? "y: 1" : "x: 1, y: 1";
+      const std::string complaint =
+          complaintOf("[{bssid: '02:00:00:00:00:01', " + position + ", " + key + ": " + bad + "}]");
+      EXPECT_EQ(complaint, "access_points[0]: '" + key + "' " + expected) << bad;
+    }
+  }
+}
+
+TEST(AccessPointTable, WarnsOfKeysThatNobodyReads) {
+  const auto warnings = [](const std::string& table) {
+    return accessPointsFromYaml(YAML::Load(table)).warnings;
+  };
+  EXPECT_TRUE(warnings("[" + kGood +
+                       ", {bssid: '02:00:00:00:00:02', x: 0, y: 0, z: 2, "
+                       "name: attic, tx_dbm: 20}]")
+                  .empty());
+  EXPECT_EQ(warnings("[" + kGood + ", {bssid: '02:00:00:00:00:02', x: 0, y: 0, hieght: 2}]"),
+            std::vector<std::string>{"access_points[1]: 'hieght' is not read; an access point has "
+                                     "bssid, x, y, z, name and tx_dbm"});
+  EXPECT_EQ(warnings("[{bssid: '02:00:00:00:00:02', [1, 2]: 3}]").size(), 1U);
+}
+
+TEST(AccessPointTable, RefusesARadioThatStandsInItTwice) {
+  EXPECT_EQ(complaintOf("[" + kGood +
+                        ", {bssid: '02:00:00:00:00:02', x: 0, y: 0}, "
+                        "{bssid: 02-00-00-00-00-01, x: 5, y: 5}]"),
+            "access_points[2]: 02:00:00:00:00:01 stands in the list twice");
+}
+
+TEST(AccessPointTable, NamesAllFaultsAtOnce) {
+  EXPECT_EQ(complaintOf("[{bssid: a, x: 1}, {bssid: b, x: 1, y: nowhere}]"),
+            "access_points[0]: 'bssid' must look like '02:00:00:00:00:01'; it is 'a'\n"
+            "access_points[0]: 'y' is missing\n"
+            "access_points[1]: 'bssid' must look like '02:00:00:00:00:01'; it is 'b'\n"
+            "access_points[1]: 'y' must be a number from -1e6 to 1e6");
+}
+
+TEST(AccessPointTable, NamesItsFile) {
+  const std::string file = ::testing::TempDir() + "/no_such_table.yaml";
+  try {
+    readAccessPoints(file);
+    FAIL() << "a missing file was read";
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()).rfind(file + ": ", 0), 0U) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace sfw

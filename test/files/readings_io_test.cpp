@@ -1,0 +1,187 @@
+#include "structure_from_wifi/readings_io.h"
+
+#include <functional>
+
+#include "structure_from_wifi/input_error.h"
+#include "support/temporary_folder.h"
+
+namespace sfw {
+namespace {
+
+const std::string kHeader = "stamp,x,y,bssid,rssi_dbm\n";
+const std::string kRow = "12.5,1.25,-2.5,02:00:00:00:00:01,-47.5\n";
+
+class ReadingIo : public test::TemporaryFolder {
+ protected:
+  ReadingFile readText(const std::string& text) const {
+    return readReadings(write("readings.csv", text));
+  }
+
+  std::string complaintOf(const std::function<void()>& action) const {
+    try {
+      action();
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "nothing";
+  }
+
+  std::string complaintOf(const std::string& text) const {
+    return complaintOf([&] { readText(text); });
+  }
+
+  /// The stamp of the only reading of a table.
+  std::int64_t stamp(const std::string& text) const {
+    const auto readings =
+        readText("stamp,x,y,bssid,rssi_dbm\n" + text + ",0,0,02:00:00:00:00:01,-40\n").readings;
+    return readings.front().stamp_ns;
+  }
+};
+
+void expectTheRow(const ReadingFile& file) {
+  ASSERT_EQ(file.readings.size(), 1U);
+  EXPECT_EQ(file.readings[0].stamp_ns, 12500000000);
+  EXPECT_EQ(file.readings[0].antenna_in_map, Position(1.25, -2.5));
+  EXPECT_EQ(file.readings[0].bssid.str(), "02:00:00:00:00:01");
+  EXPECT_EQ(file.readings[0].rssi_dbm, -47.5);
+  EXPECT_TRUE(file.skipped.empty());
+}
+
+TEST_F(ReadingIo, ReadsColumnsInAnyOrderAmongOthers) {
+  expectTheRow(readText(kHeader + kRow));
+  expectTheRow(
+      readText("rssi_dbm,ssid,y,x,bssid,frequency_mhz,stamp\n"
+               "-47.5,net,-2.5,1.25,02-00-00-00-00-01,2412,12.5\n"));
+}
+
+TEST_F(ReadingIo, TakesCarriageReturnsBlanksBlankLinesAndAMissingLastNewline) {
+  expectTheRow(readText("stamp,x,y,bssid,rssi_dbm\r\n12.5,1.25,-2.5,02:00:00:00:00:01,-47.5\r\n"));
+  expectTheRow(
+      readText(" stamp , x,y ,bssid, rssi_dbm \n\n  \n"
+               " 12.5 ,1.25,\t-2.5, 02:00:00:00:00:01 ,-47.5\n\n"));
+  expectTheRow(readText("stamp,x,y,bssid,rssi_dbm\n12.5,1.25,-2.5,02:00:00:00:00:01,-47.5"));
+  expectTheRow(readText(kHeader + "12.5,1.25,-2.5,02:00:00:00:00:01,-47.5,and,more,fields\n"));
+}
+
+TEST_F(ReadingIo, TakesWhatSpreadsheetsWrite) {
+  expectTheRow(readText("\xEF\xBB\xBF" + kHeader + kRow));
+  const std::string commas = path("readings.csv") + ": line 1: columns must be separated by commas";
+  EXPECT_EQ(complaintOf("stamp;x;y;bssid;rssi_dbm\n1;2;3;02:00:00:00:00:01;-40\n"), commas);
+  EXPECT_EQ(complaintOf("stamp\tx\ty\tbssid\trssi_dbm\n"), commas);
+}
+
+TEST_F(ReadingIo, NamesAMissingColumn) {
+  for (const std::string column : {"stamp", "x", "y", "bssid", "rssi_dbm"}) {
+    std::string header = kHeader;
+    header.replace(header.find(column), column.size(), "other");
+    EXPECT_EQ(complaintOf(header + kRow),
+              path("readings.csv") + ": line 1: the column '" + column + "' is missing");
+  }
+}
+
+TEST_F(ReadingIo, RefusesAFileWithoutRows) {
+  EXPECT_EQ(complaintOf(""), path("readings.csv") + ": the file is empty");
+  EXPECT_EQ(complaintOf(" \r\n\n"), path("readings.csv") + ": the file is empty");
+  const std::string no_rows = path("readings.csv") + ": no row can be used: it has no rows";
+  EXPECT_EQ(complaintOf(kHeader), no_rows);
+  EXPECT_EQ(complaintOf("stamp,x,y,bssid,rssi_dbm"), no_rows);
+}
+
+TEST_F(ReadingIo, CountsSkippedRowsByReasonAndShowsTheFirst) {
+  const auto file = readText(kHeader + kRow +                     //
+                             "nan,0,0,02:00:00:00:00:01,-40\n"    // line 3
+                             "1,inf,0,02:00:00:00:00:01,-40\n"    //
+                             "1,0,here,02:00:00:00:00:01,-40\n"   //
+                             "1,0,0,zz:00:00:00:00:01,-40\n"      //
+                             "\n"                                 // line 7, blank
+                             "1,0,0,02:00:00:00:00:01,nan\n"      //
+                             "1,0,0,02:00:00:00:00:01\n"          //
+                             "1\n"                                //
+                             "1e300,0,0,02:00:00:00:00:01,-40\n"  //
+                             "1,2e6,0,02:00:00:00:00:01,-40\n"    //
+                             "2,0,0,00:00:00:00:00:00,-40\n");
+  EXPECT_EQ(file.readings.size(), 1U);
+  std::map<std::string, std::pair<std::size_t, std::string>> skipped;
+  for (const auto& [reason, rows] : file.skipped) {
+    skipped[reason] = {rows.count, rows.first};
+  }
+  const std::map<std::string, std::pair<std::size_t, std::string>> expected{
+      {"stamp is not finite", {1, "line 3: stamp 'nan'"}},
+      {"x is not finite", {1, "line 4: x 'inf'"}},
+      {"y is not a number", {1, "line 5: y 'here'"}},
+      {"bssid is malformed", {2, "line 6: bssid 'zz:00:00:00:00:01'"}},
+      {"rssi_dbm is not finite", {1, "line 8: rssi_dbm 'nan'"}},
+      {"rssi_dbm is not a number", {1, "line 9: rssi_dbm ''"}},
+      {"x is not a number", {1, "line 10: x ''"}},
+      {"stamp is out of range", {1, "line 11: stamp '1e300'"}},
+      {"x is out of range", {1, "line 12: x '2e6'"}}};
+  EXPECT_EQ(skipped, expected);
+}
+
+TEST_F(ReadingIo, SaysWhyNoRowCanBeUsed) {
+  EXPECT_EQ(complaintOf(kHeader + "x,0,0,02:00:00:00:00:01,-40\n1,0,0,?,-40\n"),
+            path("readings.csv") +
+                ": no row can be used: bssid is malformed (line 3: bssid '?'); "
+                "stamp is not a number (line 2: stamp 'x')");
+}
+
+TEST_F(ReadingIo, KeepsStampsToTheNanosecond) {
+  EXPECT_EQ(stamp("1700000000.123456789"), 1700000000123456789);
+  EXPECT_EQ(stamp("1700000000.000000001"), 1700000000000000001);
+  EXPECT_EQ(stamp("3999999999.999999999"), 3999999999999999999);
+  EXPECT_EQ(stamp("0.1"), 100000000);
+  EXPECT_EQ(stamp(".25"), 250000000);
+  EXPECT_EQ(stamp("7."), 7000000000);
+  EXPECT_EQ(stamp("+00000000012"), 12000000000);
+  EXPECT_EQ(stamp("0"), 0);
+}
+
+TEST_F(ReadingIo, RoundsStampsAtTheTenthPlace) {
+  EXPECT_EQ(stamp("1700000000.1234567894999"), 1700000000123456789);
+  EXPECT_EQ(stamp("1700000000.1234567895"), 1700000000123456790);
+  EXPECT_EQ(stamp("0.9999999999"), 1000000000);
+}
+
+TEST_F(ReadingIo, KeepsNegativeStamps) {
+  EXPECT_EQ(stamp("-0.5"), -500000000);
+  EXPECT_EQ(stamp("-1700000000.123456789"), -1700000000123456789);
+}
+
+TEST_F(ReadingIo, TakesOtherNotationsOfStamps) {
+  EXPECT_EQ(stamp("1.5e3"), 1500000000000);
+  EXPECT_EQ(stamp("25e-1"), 2500000000);
+}
+
+TEST_F(ReadingIo, RefusesStampsThatAreAlmostNumbers) {
+  for (const std::string text : {"1.2.3", "--1", "-", ".", "1,5", "1 2", "12:30", "9000000000",
+                                 "99999999999999999999", "-4000000001"}) {
+    EXPECT_NE(complaintOf(kHeader + text + ",0,0,02:00:00:00:00:01,-40\n"), "nothing") << text;
+  }
+}
+
+TEST_F(ReadingIo, NamesAFileThatCannotBeRead) {
+  const std::string missing = path("missing.csv");
+  EXPECT_EQ(complaintOf([&] { readReadings(missing); }).rfind(missing + ": cannot be read", 0), 0U);
+  const std::string folder = folder_.string();
+  EXPECT_EQ(complaintOf([&] { readReadings(folder); }).rfind(folder + ": cannot be read", 0), 0U);
+}
+
+TEST_F(ReadingIo, ReadsContacts) {
+  const auto contacts =
+      readContacts(write("contacts.csv", "y,x,stamp\n2,1,1700000000.000000003\n"));
+  ASSERT_EQ(contacts.size(), 1U);
+  EXPECT_EQ(contacts[0].stamp_ns, 1700000000000000003);
+  EXPECT_EQ(contacts[0].point_in_map, Position(1, 2));
+  EXPECT_TRUE(readContacts(write("none.csv", "stamp,x,y\n")).empty());
+}
+
+TEST_F(ReadingIo, RefusesContactsThatCannotBeUsed) {
+  const std::string file = write("contacts.csv", "stamp,x,y\n1,2,3\n1,nan,3\n");
+  EXPECT_EQ(complaintOf([&] { readContacts(file); }), file + ": line 3: x is not finite: x 'nan'");
+  const std::string lacking = write("lacking.csv", "stamp,x\n1,2\n");
+  EXPECT_EQ(complaintOf([&] { readContacts(lacking); }),
+            lacking + ": line 1: the column 'y' is missing");
+}
+
+}  // namespace
+}  // namespace sfw

@@ -1,0 +1,290 @@
+#include "structure_from_wifi/settings_io.h"
+
+#include <gtest/gtest.h>
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <limits>
+#include <set>
+
+#include "structure_from_wifi/config.h"
+#include "structure_from_wifi/input_error.h"
+
+namespace sfw {
+namespace {
+
+const std::filesystem::path kConfigs = std::filesystem::path(SFW_SOURCE_DIR) / "config";
+
+std::string complaintOf(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "nothing";
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::size_t lines(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
+}
+
+// ---- validate ----
+
+TEST(Validate, FindsNothingWrongWithTheDefaults) {
+  EXPECT_EQ(validate(Config()), std::vector<std::string>());
+}
+
+/// Sets one setting of a default configuration; the names of those that are then complained of.
+template <class T>
+std::vector<std::string> brokenBy(const std::string& name, T value) {
+  Config config;
+  forEachSetting(config, [&](const std::string& known, auto& setting) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(setting)>, T>) {
+      setting = known == name ? value : setting;
+    }
+  });
+  std::vector<std::string> names;
+  for (const std::string& problem : validate(config)) {
+    names.push_back(problem.substr(0, problem.find(' ')));
+  }
+  return names;
+}
+
+using Names = std::vector<std::string>;
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+TEST(Validate, AsksForPositiveNumbers) {
+  for (const std::string name :
+       {"map/resolution", "map/margin", "map/growth_step", "rssi/min_wall_loss",
+        "inference/max_gap", "inference/wall_thickness", "octomap/wall_height",
+        "octomap/robot_height", "ros/jump_distance", "ros/jump_angle", "ros/publish_rate",
+        "ros/tf_cache"}) {
+    for (const double bad : {0.0, -1.0, kNaN, kInfinity}) {
+      EXPECT_EQ(brokenBy(name, bad), Names{name}) << bad;
+    }
+    EXPECT_EQ(brokenBy(name, 1e-3), Names());
+  }
+}
+
+TEST(Validate, AsksForNumbersThatAreNotNegative) {
+  for (const std::string name :
+       {"rssi/path_loss_exponent", "inference/footprint_radius", "ros/transform_timeout"}) {
+    for (const double bad : {-1e-9, kNaN, kInfinity}) {
+      EXPECT_EQ(brokenBy(name, bad), Names{name}) << bad;
+    }
+    EXPECT_EQ(brokenBy(name, 0.0), Names());
+  }
+}
+
+TEST(Validate, AsksForProbabilities) {
+  for (const std::string name :
+       {"inference/wall_density", "belief/free_threshold", "belief/occupied_threshold"}) {
+    for (const double bad : {0.0, 1.0, -0.5, 2.0, kNaN}) {
+      EXPECT_TRUE(contains(brokenBy(name, bad).front(), name)) << bad;
+    }
+  }
+}
+
+TEST(Validate, AsksForWholeNumbersInTheirRange) {
+  for (const std::string name : {"map/max_cells", "map/max_readings", "ros/max_waiting"}) {
+    EXPECT_EQ(brokenBy(name, std::int64_t{0}), Names{name});
+    EXPECT_EQ(brokenBy(name, std::int64_t{1}), Names());
+  }
+  EXPECT_EQ(brokenBy("rssi/walls", std::int64_t{-1}), Names{"rssi/walls"});
+  EXPECT_EQ(brokenBy("rssi/walls", std::int64_t{21}), Names{"rssi/walls"});
+  EXPECT_EQ(brokenBy("rssi/walls", std::int64_t{20}), Names());
+  EXPECT_EQ(brokenBy("rssi/max_walls", std::int64_t{0}), Names{"rssi/max_walls"});
+  EXPECT_EQ(brokenBy("rssi/max_walls", std::int64_t{21}), Names{"rssi/max_walls"});
+  for (const std::int64_t directions : {0, 3, 10}) {
+    EXPECT_EQ(brokenBy("tomography/directions", directions), Names{"tomography/directions"});
+  }
+  EXPECT_EQ(brokenBy("tomography/directions", std::int64_t{8}), Names());
+}
+
+TEST(Validate, AsksForAnOddWindow) {
+  for (const std::int64_t bad : {-1, 0, 2, 10}) {
+    EXPECT_EQ(brokenBy("rssi/window", bad), Names{"rssi/window"}) << bad;
+  }
+  EXPECT_EQ(brokenBy("rssi/window", std::int64_t{1}), Names());
+}
+
+TEST(Validate, AsksForKnownWordsFramesAndADirectory) {
+  EXPECT_EQ(brokenBy("rssi/filter", std::string("kalman")), Names{"rssi/filter"});
+  EXPECT_EQ(brokenBy("rssi/filter", std::string("mean")), Names());
+  for (const std::string name : {"ros/map_frame", "ros/antenna_frame", "ros/odom_frame"}) {
+    EXPECT_EQ(brokenBy(name, std::string()), Names{name});
+    EXPECT_EQ(brokenBy(name, std::string("/map")), Names{name});
+  }
+  EXPECT_EQ(brokenBy("ros/save_directory", std::string()), Names{"ros/save_directory"});
+}
+
+TEST(Validate, AsksForThresholdsThatAreApart) {
+  EXPECT_EQ(brokenBy("belief/free_threshold", 0.66), Names{"belief/free_threshold"});
+  EXPECT_EQ(brokenBy("belief/free_threshold", 0.61), Names{"belief/free_threshold"});
+  EXPECT_EQ(brokenBy("belief/free_threshold", 0.59), Names());
+  EXPECT_EQ(brokenBy("belief/occupied_threshold", 0.24), Names{"belief/free_threshold"});
+}
+
+TEST(Validate, AsksForNoSaturationOrOneThatLeavesSomething) {
+  EXPECT_EQ(brokenBy("tomography/saturation", 0.5), Names{"tomography/saturation"});
+  EXPECT_EQ(brokenBy("tomography/saturation", 1.0), Names());
+  EXPECT_EQ(brokenBy("tomography/saturation", 0.0), Names());
+}
+
+TEST(Validate, NamesAllProblemsAtOnceWithTheirValues) {
+  Config config;
+  config.map.resolution = -0.25;
+  config.rssi.filter = "kalman";
+  config.rssi.window = 4;
+  config.belief.occupied_threshold = 1.5;
+  const std::vector<std::string> problems = validate(config);
+  ASSERT_EQ(problems.size(), 4U);
+  EXPECT_TRUE(contains(problems[0], "map/resolution") && contains(problems[0], "-0.25"));
+  EXPECT_TRUE(contains(problems[1], "rssi/filter") && contains(problems[1], "'kalman'"));
+  EXPECT_TRUE(contains(problems[2], "rssi/window") && contains(problems[2], "4"));
+  EXPECT_TRUE(contains(problems[3], "belief/occupied_threshold"));
+}
+
+// ---- Shipped files ----
+
+/// Names and values of all settings, as text.
+std::vector<std::string> described(const Config& config) {
+  std::vector<std::string> settings;
+  forEachSetting(config, [&](const std::string& name, const auto& value) {
+    settings.push_back(name + " = " + YAML::Dump(YAML::Node(value)));
+  });
+  return settings;
+}
+
+void collectNames(const YAML::Node& node, const std::string& path, std::set<std::string>& names) {
+  if (!node.IsMap()) {
+    names.insert(path);
+    return;
+  }
+  for (const auto& entry : node) {
+    const std::string key = entry.first.as<std::string>();
+    collectNames(entry.second, path.empty() ? key : path + "/" + key, names);
+  }
+}
+
+TEST(ShippedConfig, HoldsEverySettingWithItsDefault) {
+  const std::string file = (kConfigs / "mapping.yaml").string();
+  const ConfigReading reading = readConfig(file);
+  EXPECT_EQ(reading.warnings, std::vector<std::string>());
+  EXPECT_EQ(described(reading.config), described(Config()));
+  std::set<std::string> known;
+  forEachSetting(reading.config, [&](const char* name, const auto&) { known.insert(name); });
+  std::set<std::string> written;
+  collectNames(YAML::LoadFile(file), "", written);
+  EXPECT_EQ(written, known);
+}
+
+TEST(ShippedConfig, LoadsWhateverItIs) {
+  std::size_t tables = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(kConfigs)) {
+    if (entry.path().extension() != ".yaml") {
+      continue;
+    }
+    const std::string file = entry.path().string();
+    const YAML::Node yaml = YAML::LoadFile(file);
+    if (yaml["access_points"] && !yaml["levels"]) {  // a suite of `sfw bench` has a number there
+      EXPECT_FALSE(readAccessPoints(file).access_points.empty()) << file;
+      ++tables;
+    }
+    if (yaml["map"] || yaml["rssi"] || yaml["inference"] || yaml["belief"]) {
+      EXPECT_EQ(readConfig(file).warnings, std::vector<std::string>()) << file;
+    }
+  }
+  EXPECT_GE(tables, 1U);
+}
+
+// ---- Settings from YAML ----
+
+ConfigReading fromText(const std::string& text) { return configFromYaml(YAML::Load(text)); }
+
+TEST(ConfigReader, ReadsOverTheDefaults) {
+  const Config config =
+      fromText("map: {resolution: 0.1, max_cells: 1e6}\nros: {map_frame: odom}").config;
+  EXPECT_EQ(config.map.resolution, 0.1);
+  EXPECT_EQ(config.map.max_cells, 1000000);
+  EXPECT_EQ(config.map.margin, Config().map.margin);
+  EXPECT_EQ(config.ros.map_frame, "odom");
+}
+
+TEST(ConfigReader, TakesAnEmptyTextForTheDefaults) {
+  for (const std::string text : {"", "# nothing", "{}"}) {
+    EXPECT_EQ(described(fromText(text).config), described(Config())) << text;
+  }
+}
+
+TEST(ConfigReader, LeavesAccessPointsToTheirReader) {
+  EXPECT_TRUE(fromText("access_points: [{bssid: nonsense}]").warnings.empty());
+}
+
+TEST(ConfigReader, NamesTheNearestSettingOfAnUnknownKey) {
+  const auto warnings = fromText("map: {resolutoin: 0.1}\nwindow: 3").warnings;
+  ASSERT_EQ(warnings.size(), 2U);
+  EXPECT_EQ(warnings[0], "map/resolutoin is not a setting; did you mean map/resolution?");
+  EXPECT_TRUE(contains(warnings[1], "window is not a setting; did you mean rssi/window"));
+  EXPECT_EQ(fromText("mapping: {belief: {free_threshold: 0.3}}").warnings,
+            std::vector<std::string>{
+                "mapping/belief is not read: the group belief must stand at the top"});
+}
+
+TEST(ConfigReader, NamesEveryWrongTypeAndEveryBrokenRuleAtOnce) {
+  const std::string complaint = complaintOf([] {
+    fromText(
+        "map: {resolution: fine, max_cells: 2.5, margin: -1}\n"
+        "rssi: {filter: [median], window: .nan}\n"
+        "ros: {publish_rate: }");
+  });
+  EXPECT_TRUE(contains(complaint, "map/resolution must be a number"));
+  EXPECT_TRUE(contains(complaint, "map/max_cells must be a whole number"));
+  EXPECT_TRUE(contains(complaint, "map/margin must be finite and positive; it is -1"));
+  EXPECT_TRUE(contains(complaint, "rssi/filter must be a text"));
+  EXPECT_TRUE(contains(complaint, "rssi/window must be a whole number"));
+  EXPECT_TRUE(contains(complaint, "ros/publish_rate must be a number"));
+  EXPECT_EQ(lines(complaint), 6U) << complaint;
+}
+
+TEST(ConfigReader, RefusesAGroupInPlaceOfAValueAndTheReverse) {
+  EXPECT_TRUE(contains(complaintOf([] { fromText("[1, 2]"); }), "settings must be groups"));
+  EXPECT_TRUE(contains(complaintOf([] { fromText("just a text"); }), "settings must be groups"));
+  EXPECT_EQ(fromText("map: 3").warnings,
+            std::vector<std::string>{"map is a group of settings and has no value"});
+  EXPECT_TRUE(contains(complaintOf([] { fromText("map: {resolution: {metres: 0.1}}"); }),
+                       "map/resolution must be a number"));
+}
+
+TEST(ConfigReader, RefusesKeysThatAreNoText) {
+  EXPECT_NE(complaintOf([] { fromText("map: {[1, 2]: 3}"); }), "nothing");
+}
+
+TEST(ConfigReader, SurvivesAMapThatHoldsItself) {
+  EXPECT_EQ(fromText("map: &loop {loop: *loop}").warnings.size(), 1U);
+}
+
+TEST(ConfigReader, NamesTheFileThatCannotBeReadOrParsed) {
+  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "config_test";
+  std::filesystem::create_directories(folder);
+  const std::string broken = (folder / "broken.yaml").string();
+  std::ofstream(broken) << "map:\n  resolution: [0.1\n";
+  EXPECT_TRUE(contains(complaintOf([&] { readConfig(broken); }), broken + ": line "));
+  std::ofstream(broken) << "map: {resolution: 0}\n";
+  EXPECT_TRUE(contains(complaintOf([&] { readConfig(broken); }), broken + ": map/resolution"));
+  const std::string missing = (folder / "missing.yaml").string();
+  EXPECT_TRUE(contains(complaintOf([&] { readConfig(missing); }), missing));
+  EXPECT_TRUE(contains(complaintOf([&] { readConfig(folder.string()); }), folder.string()));
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace sfw

@@ -1,0 +1,125 @@
+#include "output/map_picture.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+
+namespace sfw {
+namespace {
+
+/// A big-endian number of a PNG's header.
+std::uint32_t number(const std::string& png, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    value = value << 8 | static_cast<unsigned char>(png.at(at + i));
+  }
+  return value;
+}
+
+struct Size {
+  std::uint32_t width;
+  std::uint32_t height;
+};
+
+/// The size that a PNG's header tells, after its signature and its end are checked.
+Size sizeOf(const std::string& png) {
+  EXPECT_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n");
+  EXPECT_EQ(png.substr(12, 4), "IHDR");
+  EXPECT_EQ(png.substr(png.size() - 8, 4), "IEND");
+  return {number(png, 16), number(png, 20)};
+}
+
+/// A map of `width` x `height` m, all free, with an access point in a corner.
+Snapshot snapshot(double width, double height, const std::string& name = "router") {
+  AccessPoint access_point;
+  access_point.bssid = *Bssid::parse("02:00:00:00:00:01");
+  access_point.name = name;
+  const GridGeometry geometry(0.1, {0, 0}, std::lround(width / 0.1), std::lround(height / 0.1));
+  return {BeliefMap(Grid<float>(geometry, 0.1F), {}),
+          {{0, {0.5, 0.5}, 0}, {1, {0.6, 0.5}, PathPose::kNothingHeard}, {2, {0.7, 0.5}, 9}},
+          {{access_point, 0, WallCountModel::fit({}, 0)}},
+          {}};
+}
+
+TEST(MapPicture, IsAPngWhoseLongSideFillsTheMap) {
+  const Size wide = sizeOf(renderPicture(snapshot(16.0, 4.0)));
+  EXPECT_NEAR(wide.width, 1048, 2);  // 1000 and two borders of 24
+  // Half a metre about the access point at the origin and the farthest cell's centre.
+  EXPECT_NEAR(wide.height, 1000.0 * 4.95 / 16.95 + 48 + 56, 2);
+  const Size high = sizeOf(renderPicture(snapshot(4.0, 16.0)));
+  EXPECT_NEAR(high.height, 1000 + 48 + 56, 2);
+  EXPECT_GE(high.width, 520U);  // the footer's
+}
+
+TEST(MapPicture, IsTheSameForTheSameMap) {
+  EXPECT_EQ(renderPicture(snapshot(5.0, 5.0)), renderPicture(snapshot(5.0, 5.0)));
+  EXPECT_NE(renderPicture(snapshot(5.0, 5.0)), renderPicture(snapshot(5.0, 5.0, "other")));
+}
+
+TEST(MapPicture, TakesAnEmptyMap) {
+  Snapshot empty = snapshot(5.0, 5.0);
+  empty.belief = BeliefMap(GridGeometry(0.1, {0, 0}, 50, 50), {});
+  empty.path.clear();
+  sizeOf(renderPicture(empty));
+}
+
+TEST(MapPicture, TakesAnyName) {
+  for (const std::string& name : {std::string(2000, 'w'), std::string("caf\xe9"), std::string(),
+                                  std::string("line\nbreak")}) {
+    sizeOf(renderPicture(snapshot(5.0, 5.0, name)));
+  }
+}
+
+TEST(MapPicture, ShowsItsFooterWhateverAnAccessPointIsCalled) {
+  // A text that is no UTF-8 makes Cairo ignore all that follows. Counts of 8 and 9 have one colour
+  // on the path, so that only the legend in the footer can tell them apart.
+  Snapshot one = snapshot(5.0, 5.0, "caf\xe9");
+  Snapshot other = one;
+  other.path.back().walls = 8;
+  EXPECT_NE(renderPicture(one), renderPicture(other));
+}
+
+TEST(MapPicture, ShowsStatesAlone) {
+  Grid<CellState> states(GridGeometry(0.1, {0, 0}, 160, 40), CellState::kFree);
+  const std::string open = renderPicture(states, {1.0, 1.0});
+  EXPECT_NEAR(sizeOf(open).height, 250 + 48 + 56, 2);
+  states[{80, 20}] = CellState::kOccupied;
+  EXPECT_NE(renderPicture(states, {1.0, 1.0}), open);
+  EXPECT_NEAR(sizeOf(renderPicture(states, {-15.99, 1.0})).height, 125 + 48 + 56, 2);
+}
+
+TEST(WallCountColour, IsAsInThePaperForTheFirstCounts) {
+  const auto strongest = [](int walls) {
+    const Colour colour = wallCountColour(walls);
+    return std::max_element(colour.begin(), colour.end()) - colour.begin();
+  };
+  EXPECT_EQ(strongest(0), 0);  // red
+  EXPECT_EQ(strongest(1), 1);  // green
+  EXPECT_EQ(strongest(2), 2);  // blue
+  const Colour yellow = wallCountColour(3);
+  EXPECT_GT(yellow[0], 0.7);
+  EXPECT_GT(yellow[1], 0.7);
+  EXPECT_LT(yellow[2], 0.3);
+}
+
+TEST(WallCountColour, DiffersFromCountToCountAndStaysAtTheEndOfItsScale) {
+  std::set<Colour> colours;
+  for (int walls = 0; walls < 8; ++walls) {
+    colours.insert(wallCountColour(walls));
+  }
+  EXPECT_EQ(colours.size(), 8U);
+  EXPECT_EQ(wallCountColour(8), wallCountColour(7));
+  EXPECT_EQ(wallCountColour(1000), wallCountColour(7));
+}
+
+TEST(WallCountColour, IsGreyWhereNothingWasHeard) {
+  const Colour grey = wallCountColour(PathPose::kNothingHeard);
+  EXPECT_EQ(grey[0], grey[1]);
+  EXPECT_EQ(grey[1], grey[2]);
+}
+
+}  // namespace
+}  // namespace sfw

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <vector>
+
+#include "k_visibility/sparse_inverse.h"
+#include "support/ascii_world.h"
+
+namespace sfw::test {
+
+/// Settings with which cells of 1 m make readable pictures: a wall is a cell thick, the robot
+/// covers the cell it stands in, and neighbouring poses are not joined.
+inline Config::Inference coarseSettings() {
+  Config::Inference settings;
+  settings.footprint_radius = 0.4;
+  settings.max_gap = 0.5;
+  settings.wall_thickness = 1.0;
+  settings.wall_density = 0.2;
+  return settings;
+}
+
+/// What one access point hears, drawn on cells of 1 m: 'R' the access point, a digit a pose with
+/// so many walls.
+inline CountedPath heardIn(const std::vector<std::string>& rows) {
+  CountedPath heard;
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    for (std::size_t x = 0; x < rows[row].size(); ++x) {
+      const char c = rows[row][x];
+      const Position centre(static_cast<double>(x) + 0.5,
+                            static_cast<double>(rows.size() - row) - 0.5);
+      if (c == 'R') {
+        heard.access_point = centre;
+      } else if (c >= '0' && c <= '9') {
+        heard.poses.push_back({centre, c - '0'});
+      }
+    }
+  }
+  return heard;
+}
+
+inline std::vector<Position> pathOf(const std::vector<CountedPath>& heard) {
+  std::vector<Position> path;
+  for (const CountedPath& one : heard) {
+    for (const CountedPose& pose : one.poses) {
+      path.push_back(pose.antenna_in_map);
+    }
+  }
+  return path;
+}
+
+inline Grid<float> inferred(const GridGeometry& geometry, const std::vector<CountedPath>& heard,
+                            const Config::Inference& settings = coarseSettings(),
+                            const std::vector<Contact>& contacts = {}) {
+  const std::atomic<bool> never{false};
+  return inferOccupancy(geometry, heard, pathOf(heard), contacts, settings, never);
+}
+
+/// The map of one access point's picture.
+inline Grid<float> inferred(const std::vector<std::string>& rows,
+                            const Config::Inference& settings = coarseSettings(),
+                            const std::vector<Contact>& contacts = {}) {
+  const GridGeometry geometry(1.0, {0.0, 0.0}, static_cast<std::int64_t>(rows.front().size()),
+                              static_cast<std::int64_t>(rows.size()));
+  return inferred(geometry, {heardIn(rows)}, settings, contacts);
+}
+
+/// '.' free, '#' occupied, '?' unknown by the default thresholds.
+inline std::vector<std::string> rowsOf(const Grid<float>& occupied) {
+  const Config::Belief belief;
+  return rowsOf(occupied, [&](float p) {
+    return p < belief.free_threshold ? '.' : p > belief.occupied_threshold ? '#' : '?';
+  });
+}
+
+}  // namespace sfw::test

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "radio/radio_bins.h"
+#include "structure_from_wifi/readings_io.h"
+#include "structure_from_wifi/settings_io.h"
+
+namespace sfw::test {
+
+constexpr const char* kNoRecordings =
+    "no recordings: set SFW_SHARED to a folder with data/recordings";
+
+/// A real recording and where its access points stand.
+struct RealRecording {
+  std::string name;
+  std::vector<Reading> readings;
+  std::vector<AccessPoint> access_points;
+};
+
+/// The real recordings that are not part of the repository: in $SFW_SHARED, or beside the
+/// repository. Empty where there are none.
+inline std::vector<RealRecording> realRecordings() {
+  const char* given = std::getenv("SFW_SHARED");
+  const std::filesystem::path shared =
+      given != nullptr ? std::filesystem::path(given)
+                       : std::filesystem::path(SFW_SOURCE_DIR) / ".." / "shared";
+  std::vector<RealRecording> recordings;
+  for (const char* name :
+       {"turtlebot_home_a/two_routers", "turtlebot_home_a/one_router", "ble_flat/survey"}) {
+    const std::filesystem::path file =
+        shared / "data" / "recordings" / (std::string(name) + ".csv");
+    if (std::filesystem::exists(file)) {
+      recordings.push_back(
+          {name, readReadings(file.string()).readings,
+           readAccessPoints((file.parent_path() / "access_points.yaml").string()).access_points});
+    }
+  }
+  return recordings;
+}
+
+/// The readings of each radio, in order.
+inline std::map<Bssid, std::vector<Sample>> samplesByRadio(const std::vector<Reading>& readings) {
+  std::map<Bssid, std::vector<Sample>> samples;
+  for (const Reading& reading : readings) {
+    samples[reading.bssid].push_back({reading.antenna_in_map, reading.rssi_dbm});
+  }
+  return samples;
+}
+
+}  // namespace sfw::test

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "simulation/robot/simulated_robot.h"
+
+namespace sfw::test {
+
+inline constexpr double kPi = 3.14159265358979323846;
+
+/// At full speed at once, whatever the speed, until told otherwise.
+inline SimulatedRobot::Config quick() {
+  SimulatedRobot::Config config;
+  config.radius = 0.2;
+  config.max_speed = 10.0;
+  config.max_yaw_rate = 100.0;
+  config.acceleration = 1000.0;
+  config.yaw_acceleration = 1e4;
+  config.command_timeout = 0.0;
+  return config;
+}
+
+/// A room of 4 x 2 m between (0, 0) and (4, 2), in cells of 0.1 m.
+inline Grid<CellState> room() {
+  Grid<CellState> plan(GridGeometry(0.1, {-0.1, -0.1}, 42, 22), CellState::kOccupied);
+  Cell c;
+  for (c.y = 1; c.y <= 20; ++c.y) {
+    for (c.x = 1; c.x <= 40; ++c.x) {
+      plan[c] = CellState::kFree;
+    }
+  }
+  return plan;
+}
+
+/// A robot after it has obeyed one command for a time.
+inline SimulatedRobot driven(const Grid<CellState>& plan, const RobotPose& start,
+                             const SimulatedRobot::Config& config, const DriveCommand& command,
+                             double duration_s) {
+  SimulatedRobot robot(plan, start, config);
+  EXPECT_TRUE(robot.command(command));
+  robot.step(duration_s);
+  return robot;
+}
+
+}  // namespace sfw::test
