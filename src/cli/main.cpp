@@ -1,11 +1,15 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <string>
 
 #include "cli/commands.h"
+#include "structure_from_wifi/version.h"
 
 int main(int argc, char** argv) {
   CLI::App app{"Maps a building from odometry and WiFi signal strength.", "sfw"};
+  app.set_version_flag("--version", std::string("sfw ") + sfw::version(),
+                       "Print the version and exit");
   // Not `required`: that would be missed before a misspelt one is named.
   app.require_subcommand(0, 1);
   sfw::addMapCommand(app);

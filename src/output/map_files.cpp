@@ -17,6 +17,7 @@
 #include "output/map_picture.h"
 #include "structure_from_wifi/map_notes.h"
 #include "structure_from_wifi/octomap_export.h"
+#include "structure_from_wifi/version.h"
 
 namespace sfw {
 namespace {
@@ -264,6 +265,7 @@ std::string reportJson(const Snapshot& snapshot, const Config& config) {
     length_m += (snapshot.path[i].antenna_in_map - snapshot.path[i - 1].antenna_in_map).norm();
   }
   ordered_json report;
+  report["version"] = version();
   report["method"] = config.method;
   report["notes"] = ordered_json::array();
   for (const MapNote& note : mapNotes(snapshot)) {
