@@ -2,123 +2,110 @@
 """Checks the documents against the repository that they describe.
 
 Usage: docs_test.py REPOSITORY
-Fails on a long sentence, a dead link, a path that does not exist, a table of parameters that
-differs from config/mapping.yaml, and a table of arrows that differs from layering_test.py.
+Fails on a long sentence, a dead link, a path that does not exist, a message in
+doc/troubleshooting.md that no source has, and a table that differs from config/mapping.yaml or
+from layering_test.py.
 """
 
-import importlib.util
 import pathlib
 import re
+import runpy
 import sys
 
+ROOT = pathlib.Path(sys.argv[1])
 LONGEST = 29  # words in a sentence
 CODE_BLOCK = re.compile(r"^ *```.*?^ *```$", re.DOTALL | re.MULTILINE)
 FORMULA = re.compile(r"^ {4}.*$", re.MULTILINE)
+BLOCK_END = re.compile(r"\n\s*\n|\n(?=\s*(?:[-*#]|\d+\.)\s)|\|")  # paragraph, list item, table cell
+SENTENCE_END = re.compile(r"(?<=[.!?])[)\"*]*\s+(?=[A-Z0-9`\"*(\[])")
 LINK = re.compile(r"\]\(([^)\s]+)\)|src=\"([^\"]+)\"")
 PATH = re.compile(r"`((?:src|include|test|doc|config|launch|scripts|msg|srv|rviz)/[\w./-]+)`")
-SENTENCE_END = re.compile(r"(?<=[.!?])[)\"*]*\s+(?=[A-Z0-9`\"*(\[])")
-PARAMETER = re.compile(r"^\| `([a-z_]+(?:/[a-z_]+)?)` \|", re.MULTILINE)
+FIRST_CELL = re.compile(r"^\| `([^`]+)`", re.MULTILINE)
 
 
-def documents(root):
-    return [root / "README.md"] + sorted((root / "doc").rglob("*.md"))
+def read(name):
+    return (ROOT / name).read_text()
 
 
-def blocks(text):
-    """The paragraphs, list items and table cells of a document, without markup."""
-    text = FORMULA.sub("", CODE_BLOCK.sub("\n", text))
-    text = re.sub(r"<[^>]*>", " ", text)
+def long_sentences(text):
+    text = re.sub(r"<[^>]*>", " ", FORMULA.sub("", CODE_BLOCK.sub("\n\n", text)))
     text = re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", text)
-    text = re.sub(r"`[^`]*`", "Code", text)
-    for paragraph in re.split(r"\n\s*\n|\n(?=\s*(?:[-*]|\d+\.|\|)\s?)|\n(?=#)|(?<=\|)\n", text):
-        yield from (re.split(r"\|", paragraph) if "|" in paragraph else [paragraph])
-
-
-def long_sentences(name, text):
-    for block in blocks(text):
+    for block in BLOCK_END.split(re.sub(r"`[^`]*`", "Code", text)):
         for sentence in SENTENCE_END.split(" ".join(block.split())):
             words = [word for word in sentence.split() if re.search(r"\w", word)]
             if len(words) > LONGEST:
-                yield "%s: a sentence of %d words: %s" % (name, len(words), sentence)
+                yield "a sentence of %d words: %s" % (len(words), sentence)
 
 
 def anchors(text):
     """The anchors that a viewer makes of the headings."""
-    headings = re.findall(r"^#+ (.+)$", CODE_BLOCK.sub("", text), re.MULTILINE)
-    return {re.sub(r"[^\w -]", "", heading.lower()).replace(" ", "-") for heading in headings}
+    headings = re.findall(r"^#+ (.+)$", CODE_BLOCK.sub("", text).lower(), re.MULTILINE)
+    return {re.sub(r"[^\w -]", "", heading).replace(" ", "-") for heading in headings}
 
 
 def dead_links(file, text):
     for target in (a or b for a, b in LINK.findall(CODE_BLOCK.sub("", text))):
-        if re.match(r"\w+:", target):
-            continue
         path, _, anchor = target.partition("#")
         linked = (file.parent / path) if path else file
+        if re.match(r"\w+:", target):
+            continue
         if not linked.exists():
-            yield "%s: the link to %s is dead" % (file.name, target)
+            yield "the link to %s is dead" % target
         elif anchor and anchor not in anchors(linked.read_text()):
-            yield "%s: %s has no heading #%s" % (file.name, linked.name, anchor)
+            yield "%s has no heading #%s" % (linked.name, anchor)
 
 
-def missing_paths(root, name, text):
-    for path in PATH.findall(text):
-        if not (root / path).exists():
-            yield "%s: there is no %s" % (name, path)
+def missing_paths(text):
+    return ["there is no " + path for path in PATH.findall(text) if not (ROOT / path).exists()]
 
 
-def settings(root):
+def missing_messages(text):
+    files = [path for folder in ("src", "scripts") for path in sorted((ROOT / folder).rglob("*"))]
+    source = "\n".join(path.read_text() for path in files if path.is_file())
+    source = re.sub(r'"\s*"', "", source)  # adjacent literals are one text
+    return ["no source says '%s'" % message for message in FIRST_CELL.findall(text)
+            if message not in source]
+
+
+def settings():
     """The names of the settings in config/mapping.yaml, with their groups."""
     group = ""
-    for line in (root / "config" / "mapping.yaml").read_text().splitlines():
-        found = re.match(r"( *)([a-z_]+):(.*)", line)
-        if not found:
-            continue
-        indent, key, value = found.groups()
+    for indent, key, value in re.findall(r"^( *)([a-z_]+):(.*)", read("config/mapping.yaml"), re.M):
         if value.split("#")[0].strip():
-            yield ((group + "/" if indent else "") + key,)
+            yield (group + "/" if indent else "") + key
         else:
             group = key
 
 
-def differences(file, documented, actual):
-    documented, actual = set(documented), set(actual)
-    for entry in sorted(documented ^ actual):
-        problem = "is missing in the table" if entry in actual else "does not exist"
-        yield "%s: %s %s" % (file, " ".join(entry), problem)
+def table(name, heading):
+    """The rows of the table under a heading."""
+    text = re.split(r"^#+ ", read(name).split("\n%s\n" % heading)[1], flags=re.MULTILINE)[0]
+    return [line for line in text.splitlines() if line.startswith("| `")]
 
 
-def section(text, heading):
-    """The text under a heading, up to the next heading of any level."""
-    return re.split(r"^#+ ", text.split("\n%s\n" % heading)[1], flags=re.MULTILINE)[0]
+def differences(documented, actual):
+    for entry in sorted(set(documented) ^ set(actual)):
+        yield entry + (" is not in the table" if entry in actual else " does not exist")
 
 
-def documented_arrows(root):
-    rows = section((root / "doc" / "architecture.md").read_text(), "### Allowed arrows")
-    for room, used in re.findall(r"^\| `(\w+)` \| (.*) \|$", rows, re.MULTILINE):
-        yield room, " ".join(sorted(re.findall(r"\w+", used)))
-
-
-def allowed_arrows(root):
-    spec = importlib.util.spec_from_file_location("layering", root / "test" / "layering_test.py")
-    layering = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(layering)
-    return [(room, " ".join(sorted(used.split()))) for room, used in layering.ALLOWED.items()]
-
-
-def problems(root):
-    for file in documents(root):
-        name, text = str(file.relative_to(root)), file.read_text()
-        yield from long_sentences(name, text)
-        yield from dead_links(file, text)
-        yield from missing_paths(root, name, text)
-    parameters = section((root / "doc" / "interfaces.md").read_text(), "## Parameters")
-    documented = [(name,) for name in PARAMETER.findall(parameters)]
-    yield from differences("doc/interfaces.md", documented, settings(root))
-    yield from differences("doc/architecture.md", documented_arrows(root), allowed_arrows(root))
+def problems():
+    for file in [ROOT / "README.md"] + sorted((ROOT / "doc").rglob("*.md")):
+        text = file.read_text()
+        for problem in [*long_sentences(text), *dead_links(file, text), *missing_paths(text)]:
+            yield file, problem
+    for problem in missing_messages(read("doc/troubleshooting.md")):
+        yield ROOT / "doc/troubleshooting.md", problem
+    documented = [FIRST_CELL.match(row)[1] for row in table("doc/interfaces.md", "## Parameters")]
+    for problem in differences(documented, list(settings())):
+        yield ROOT / "doc/interfaces.md", problem
+    drawn = [re.findall(r"\w+", row) for row in table("doc/architecture.md", "### Allowed arrows")]
+    allowed = runpy.run_path(str(ROOT / "test/layering_test.py"))["ALLOWED"].items()
+    for problem in differences([" ".join([row[0]] + sorted(row[1:])) for row in drawn],
+                               [" ".join([room] + sorted(used.split())) for room, used in allowed]):
+        yield ROOT / "doc/architecture.md", problem
 
 
 if __name__ == "__main__":
-    sys.dont_write_bytecode = True
-    FOUND = [str(problem) for problem in problems(pathlib.Path(sys.argv[1]))]
+    FOUND = ["%s: %s" % (file.relative_to(ROOT), problem) for file, problem in problems()]
     print("\n".join(FOUND))
     sys.exit(bool(FOUND))
