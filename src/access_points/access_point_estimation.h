@@ -31,7 +31,7 @@ struct AccessPointEstimate {
 /// shadowing is and how far it reaches is chosen from 12 ways by the same likelihood. An access
 /// point of unknown height is taken to hang 0.8 m above the antenna. The grid's cells are quartered
 /// where the likelihood is high until they are finer than its peak. The result is mean and
-/// covariance of the likelihood over all cells (doc/algorithm.md).
+/// covariance of the likelihood over all cells (doc/method/access_points.md).
 ///
 /// @param samples   in any order
 /// @param height_m  of the access point above the floor, if known

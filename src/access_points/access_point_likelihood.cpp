@@ -13,7 +13,7 @@ using Terms = Eigen::Matrix<double, kTerms, 1>;
 
 constexpr double kUsualClimb = 0.8;  // [m], from antenna to access point where nobody says
 
-// Chosen so that the true places of simulated access points are likeliest (doc/algorithm.md).
+// These maximise the likelihood of the true positions in simulation (doc/results/ablations.md).
 Terms priorMean() {
   return (Terms() << kPriorPower, -kPriorExponent, -0.6, 0.0, 0.0, 0.0, 0.0).finished();
 }

@@ -9,7 +9,7 @@
 namespace sfw {
 
 /// How likely the signals of an access point are if it stands at a place, whatever its power, path
-/// loss and pattern (doc/algorithm.md).
+/// loss and pattern (doc/method/access_points.md).
 class AccessPointLikelihood {
  public:
   /// Power, exponent, loss for each metre, and the first and second harmonic of bearing: an antenna

@@ -13,7 +13,7 @@ namespace sfw {
 
 constexpr std::size_t kCellFeatures = 38;
 
-/// Names of the features in their order; a model file repeats them (doc/algorithm.md explains).
+/// Names of the features in the order of a model file (doc/method/belief.md explains them).
 const std::array<const char*, kCellFeatures>& cellFeatureNames();
 
 /// Whether a feature depends on signal strength; all others are geometry of path and rays.

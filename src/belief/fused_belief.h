@@ -63,7 +63,7 @@ struct FusedBelief {
 Grid<float> freeProbability(const CellFeatures& judged, const BeliefModel& model,
                             const StyleShares& style, bool radio);
 
-/// Line-field tomography and the fused belief (doc/algorithm.md).
+/// Line-field tomography and the fused belief (doc/method/belief.md).
 ///
 /// Probabilities below belief/free_threshold are of cells that hang together with the path; those
 /// above belief/occupied_threshold are of cells at the rim of these, and of contacts. All others

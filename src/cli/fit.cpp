@@ -103,8 +103,7 @@ class Drives {
 
 std::string describe(const FitOptions& options, const std::vector<TrainingCells>& drives) {
   std::string text =
-      "# What is believed of a cell, from its features (doc/algorithm.md). Fitted to simulated "
-      "drives alone:\n"
+      "# Weights of the features of a cell (doc/method/belief.md), fitted to simulated drives:\n"
       "# sfw fit --drives " +
       std::to_string(options.drives) + " --cells " + std::to_string(options.cells) + " --seed " +
       std::to_string(options.seed);

@@ -19,7 +19,7 @@ constexpr std::uint8_t kWallCell = 255;
 /// recording holds for true k. Unknown cells are no wall and get kNoCount, occupied ones kWallCell.
 /// An access point inside a wall hears through that wall for nothing. A wall that slants against
 /// the grid is a staircase: a ray that rises or falls as the wall does may leave it between two
-/// steps and count it again, others count it once (doc/algorithm.md).
+/// steps and count it again, others count it once (doc/method/k_visibility.md).
 ///
 /// One sweep over the grid: in each of four cones it carries, from row to row away from the access
 /// point, the count as a piecewise constant function of the ray's slope, in whole numbers.

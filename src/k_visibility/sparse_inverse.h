@@ -38,7 +38,7 @@ struct RaySegment {
   }
 };
 
-/// Cuts a ray at the places where it crosses the path (doc/algorithm.md, section 4).
+/// Cuts a ray at the places where it crosses the path (doc/method/k_visibility.md).
 /// @param known in order along the ray, the access point itself first
 /// @return the stretches that have cells, in order.
 std::vector<RaySegment> segmentRay(const std::vector<CountedCell>& known);
@@ -47,7 +47,7 @@ std::vector<RaySegment> segmentRay(const std::vector<CountedCell>& known);
 /// walls x wall_cells unless single cells would pass 1, where it is cut.
 ///
 /// One bell for one wall, centred, sd cells/4; for more walls as many bells, evenly placed, sd
-/// cells/(4 walls). The paper's equation 4 read right (doc/algorithm.md, section 4).
+/// cells/(4 walls). The paper's equation 4 read right (doc/method/k_visibility.md).
 std::vector<double> wallMass(std::size_t cells, int walls, double wall_cells);
 
 /// What all rays together say of a cell.
@@ -60,7 +60,7 @@ struct CellEvidence {
 };
 
 /// Sparse inverse k-visibility: probability of being occupied for each cell, exactly 0.5 where
-/// nothing is known (doc/algorithm.md, sections 3 to 5).
+/// nothing is known (doc/method/k_visibility.md).
 ///
 /// @param heard     one path for each access point; poses outside the grid are ignored
 /// @param path      all poses in the order driven: Rule 1 frees their footprints

@@ -16,12 +16,12 @@ std::vector<double> slidingMean(const std::vector<double>& values, std::size_t w
 /// by the walls on the way.
 ///
 /// @param exponent of the path loss: 10 exponent log10(distance) dB are given back. With line of
-/// sight indoors 0.7 to 1.7 are measured (doc/algorithm.md, section 2).
+/// sight indoors 0.7 to 1.7 are measured (doc/method/k_visibility.md).
 /// @param distance_m distances below 0.3 m count as 0.3 m, where the far-field law ends
 double withoutPathLoss(double rssi_dbm, double distance_m, double exponent);
 
-/// Wall counts from signal strength alone: K-means with K + 1 centroids (doc/algorithm.md,
-/// section 2; Fafoutis et al. 2015). Immutable.
+/// Wall counts from signal strength alone: K-means with K + 1 centroids (Fafoutis et al. 2015;
+/// doc/method/k_visibility.md). Immutable.
 class WallCountModel {
  public:
   /// The least-squares clustering of `rssi_dbm` (finite, in (-120, 0]) into `walls` + 1 groups.

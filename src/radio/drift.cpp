@@ -16,7 +16,7 @@ constexpr double kNoFarther = 3.0;
 constexpr std::size_t kFewestReturns = 20;
 constexpr double kLeastChange = 4.0;    // [dB2]
 constexpr double kLargestStep = 15.0;   // [dB]; one outlier must not decide
-constexpr double kSuspectRatio = 0.55;  // chosen on simulated drives (doc/algorithm.md)
+constexpr double kSuspectRatio = 0.55;  // chosen on simulated drives (doc/results/ablations.md)
 
 /// A short stretch of way and what was heard on it.
 struct Stretch {

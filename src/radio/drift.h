@@ -19,7 +19,7 @@ struct DriftCheck {
   bool suspect = false;  ///< the poses look as if they drifted
 };
 
-/// Looks for drift in what each access point was heard like (doc/algorithm.md, "Drift").
+/// Looks for drift in the signals of each access point (doc/method/checks.md).
 ///
 /// @param samples  of each access point, in the order heard
 /// @return nothing if the readings do not tell: fewer than 20 returns after 10 m or more of way, or

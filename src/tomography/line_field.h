@@ -14,7 +14,7 @@
 
 namespace sfw {
 
-/// Settings of line-field tomography (doc/algorithm.md).
+/// Settings of line-field tomography (doc/method/walls.md).
 struct LineFieldConfig {
   ShadowingModel shadowing;
   double saturation_db = 15.0;  ///< losses of all walls together stay below; infinity: they add up

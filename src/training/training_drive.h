@@ -19,7 +19,7 @@ struct TrainingDrive {
   Grid<CellState> truth;  ///< free where seen from the way, occupied, else unknown
 };
 
-/// Makes up a drive through a building, as varied as real ones are (doc/algorithm.md says why):
+/// Generates a drive through a building, as varied as real ones are (doc/method/belief.md):
 ///
 /// - up to three rectangles are cut out of the building, as if nobody could get in there;
 /// - along walls and on patrols, furniture often stands in the way of the robot, not of the radio;

@@ -41,7 +41,7 @@ namespace sfw {
 /// Input callbacks only fill a queue. One thread places what waits in the queue and gives quick
 /// answers; another one infers from a copy, publishes and does all that takes its time. So no
 /// callback of the nodelet manager waits for either, and placing goes on while a map is inferred.
-/// Topics, services and parameters: README.md.
+/// Topics, services and parameters: doc/interfaces.md.
 class MappingNodelet : public nodelet::Nodelet {
  public:
   ~MappingNodelet() override;
