@@ -18,8 +18,9 @@ Grid<float> columnMean(const Grid<float>& values, std::int64_t reach);
 /// count as 0. Linear in cells.
 Grid<float> boxMean(const Grid<float>& values, std::int64_t reach);
 
-/// The set closed with a square of cells within `reach` in both axes: rectilinear where a disc
-/// leaves round corners. Cells nearer to the grid's edge than `reach` are lost. Linear in cells.
+/// Closes a set with a square of cells within `reach` in both axes: gaps in which the square finds
+/// no room are closed, and corners stay square. A gap of at most `reach` cells between the set and
+/// the grid's edge is closed too. Linear in cells.
 Mask closedWithSquare(const Mask& set, std::int64_t reach);
 
 /// Distance from each cell to the nearest one of the set along each half axis [m], at most

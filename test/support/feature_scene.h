@@ -1,7 +1,5 @@
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cctype>
@@ -14,13 +12,11 @@
 
 #include "belief/cell_features.h"
 #include "support/ascii_world.h"
+#include "support/number_table.h"
 
 namespace sfw::test {
 
 using Picture = std::vector<std::string>;
-
-/// Numbers of a picture's cells, top row first.
-using Table = std::vector<std::vector<double>>;
 
 /// A drive drawn as a picture, top row first: '#' and small letters are cells of the path. Letters
 /// are also the positions driven, in alphabetical order. 'X' marks the cell that a test looks at.
@@ -117,29 +113,6 @@ inline double featureAtX(const FeatureScene& scene, const std::string& name) {
   const auto marked = std::find(cells.cells.begin(), cells.cells.end(), 'X');
   const auto index = static_cast<std::size_t>(marked - cells.cells.begin());
   return static_cast<double>(featureOf(scene, name).cells.at(index));
-}
-
-/// Two decimals are what a person checks by hand.
-constexpr double kByHand = 0.0006;
-
-inline void expectTable(const Grid<float>& values, const Table& table, double tolerance = kByHand) {
-  const GridGeometry& geometry = values.geometry;
-  ASSERT_EQ(static_cast<std::int64_t>(table.size()), geometry.height());
-  for (std::int64_t row = 0; row < geometry.height(); ++row) {
-    const std::vector<double>& expected = table[static_cast<std::size_t>(row)];
-    ASSERT_EQ(static_cast<std::int64_t>(expected.size()), geometry.width());
-    for (std::int64_t x = 0; x < geometry.width(); ++x) {
-      EXPECT_NEAR(static_cast<double>(values[Cell{x, geometry.height() - 1 - row}]),
-                  expected[static_cast<std::size_t>(x)], tolerance)
-          << "column " << x << ", row " << row << " from the top";
-    }
-  }
-}
-
-/// For a feature that is the same in all rows of a picture.
-inline void expectEachRow(const Grid<float>& values, const std::vector<double>& row,
-                          double tolerance = kByHand) {
-  expectTable(values, Table(static_cast<std::size_t>(values.geometry.height()), row), tolerance);
 }
 
 /// '#' where a value is positive, '.' where it is not, ' ' where there is none.
