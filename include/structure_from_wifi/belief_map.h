@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "structure_from_wifi/config.h"
+#include "structure_from_wifi/export.h"
 #include "structure_from_wifi/grid_geometry.h"
 
 namespace mrpt::maps {
@@ -15,7 +16,7 @@ namespace sfw {
 ///
 /// MRPT stores log-odds of being FREE in 1/16 steps of an int8, so probabilities are rounded to
 /// that scale and end at 0.00036 and 0.99964.
-class BeliefMap {
+class SFW_EXPORT BeliefMap {
  public:
   /// All unknown.
   /// @throw std::invalid_argument if MRPT cannot hold the geometry.

@@ -5,10 +5,12 @@
 #include <string>
 #include <string_view>
 
+#include "structure_from_wifi/export.h"
+
 namespace sfw {
 
 /// Hardware address of an access point's radio: the key that readings and access points share.
-class Bssid {
+class SFW_EXPORT Bssid {
  public:
   /// Reads six pairs of hexadecimal digits joined by ':' or '-', in either case.
   /// @return nothing if the text is malformed or all zero (a radio that is not associated).

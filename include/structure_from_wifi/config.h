@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "structure_from_wifi/export.h"
+
 namespace sfw {
 
 /// Every setting of the package, with its default. config/mapping.yaml explains each one.
@@ -127,6 +129,6 @@ void forEachSetting(AnyConfig& config, Visitor&& visit) {
 
 /// Every problem of a configuration, one sentence each that starts with the setting's name.
 /// Empty if it can be used. Settings are checked together, so crossed thresholds are found too.
-std::vector<std::string> validate(const Config& config);
+SFW_EXPORT std::vector<std::string> validate(const Config& config);
 
 }  // namespace sfw

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "access_points/access_point_estimation.h"
+#include "structure_from_wifi/export.h"
 #include "structure_from_wifi/mapper.h"
 
 namespace sfw {
@@ -14,7 +15,7 @@ namespace sfw {
 /// (accessPointFit), and poses (checkDrift). Remembers its judgements of access points, as a map
 /// that grows is judged again and again.
 /// Not thread-safe.
-class Judge {
+class SFW_EXPORT Judge {
  public:
   /// Judges everything anew: the result depends on the readings alone.
   /// @param mapper    that the snapshot was made by

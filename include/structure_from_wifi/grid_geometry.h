@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "structure_from_wifi/export.h"
 #include "structure_from_wifi/types.h"
 
 namespace sfw {
@@ -21,7 +22,7 @@ struct Cell {
 ///
 /// Cell (0, 0) has its lower left corner at origin(); a point on a cell's lower or left edge
 /// belongs to that cell (floor), so the far edges of the grid lie outside it.
-class GridGeometry {
+class SFW_EXPORT GridGeometry {
  public:
   /// @param resolution_m  edge of a cell [m], finite and positive
   /// @param origin        lower left corner [m], finite
@@ -100,13 +101,13 @@ struct Grid {
 };
 
 /// Column and row of a grid's first cell on the lattice through the map frame's origin.
-Cell latticeCell(const GridGeometry& geometry);
+SFW_EXPORT Cell latticeCell(const GridGeometry& geometry);
 
 /// Farthest from the map frame's origin that OctoMap's 16-bit keys reach [cells].
 constexpr std::int64_t kOctomapReach = 32768;
 
 /// Whether OctoMap can hold a grid: kOctomapReach voxels from the frame's origin each way.
-bool octomapReaches(const GridGeometry& geometry);
+SFW_EXPORT bool octomapReaches(const GridGeometry& geometry);
 
 /// What a map says of a cell.
 enum class CellState : std::uint8_t { kUnknown, kFree, kOccupied };

@@ -3,11 +3,13 @@
 #include <stdexcept>
 #include <string>
 
+#include "structure_from_wifi/export.h"
+
 namespace sfw {
 
 /// Input that cannot be used. what() names the file, line or setting and says what to do; several
 /// problems stand one a line.
-class InputError : public std::runtime_error {
+class SFW_EXPORT InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };

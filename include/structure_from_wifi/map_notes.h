@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "structure_from_wifi/export.h"
 #include "structure_from_wifi/mapper.h"
 
 namespace sfw {
@@ -26,10 +27,10 @@ struct MapNote {
 
 /// Whether a note is of something that is wrong, and not just of what is missing at the beginning
 /// of each drive.
-bool isFault(const MapNote& note);
+SFW_EXPORT bool isFault(const MapNote& note);
 
 /// What is to be told of a map: that a drive was too short or too straight to tell of walls, that
 /// signals tell nothing, that poses look as if they drifted. Empty if all is well.
-std::vector<MapNote> mapNotes(const Snapshot& snapshot);
+SFW_EXPORT std::vector<MapNote> mapNotes(const Snapshot& snapshot);
 
 }  // namespace sfw

@@ -17,6 +17,7 @@
 #include "radio/drift.h"
 #include "structure_from_wifi/belief_map.h"
 #include "structure_from_wifi/config.h"
+#include "structure_from_wifi/export.h"
 #include "structure_from_wifi/path_correction.h"
 #include "structure_from_wifi/types.h"
 
@@ -34,7 +35,7 @@ enum class Insertion {
 };
 
 /// A short name for counters and messages.
-const char* toString(Insertion insertion);
+SFW_EXPORT const char* toString(Insertion insertion);
 
 /// What the readings of one access point came to.
 struct AccessPointSummary {
@@ -114,7 +115,7 @@ struct Snapshot {
 /// play rate of a bag do not matter. Positions are rounded to 0.1 mm and signals to 0.01 dB on
 /// the way in, so neither does the arithmetic by which a pose was computed.
 /// Not thread-safe; its owner serialises calls.
-class Mapper {
+class SFW_EXPORT Mapper {
  public:
   /// @throw InputError if the configuration or the table of access points cannot be used.
   Mapper(const Config& config, const std::vector<AccessPoint>& access_points);

@@ -5,6 +5,7 @@
 
 #include "structure_from_wifi/belief_map.h"
 #include "structure_from_wifi/config.h"
+#include "structure_from_wifi/export.h"
 
 namespace octomap {
 class OcTree;
@@ -19,14 +20,15 @@ namespace sfw {
 /// origin lies on OctoMap's lattice by construction (GridGeometry::covering).
 /// @throw std::invalid_argument unless octomapReaches the map, and as high as the settings want.
 /// O(known cells x height).
-std::unique_ptr<octomap::OcTree> toOctomap(const BeliefMap& belief, const Config::Octomap& config);
+SFW_EXPORT std::unique_ptr<octomap::OcTree> toOctomap(const BeliefMap& belief,
+                                                      const Config::Octomap& config);
 
 /// The tree as a .bt file holds it (occupied, free, unknown) and as an .ot file does (log-odds).
-std::string encodeBinaryFile(const octomap::OcTree& tree);
-std::string encodeFullFile(const octomap::OcTree& tree);
+SFW_EXPORT std::string encodeBinaryFile(const octomap::OcTree& tree);
+SFW_EXPORT std::string encodeFullFile(const octomap::OcTree& tree);
 
 /// The same without the file's header, as octomap_msgs/Octomap carries it.
-std::string encodeBinaryMessage(const octomap::OcTree& tree);
-std::string encodeFullMessage(const octomap::OcTree& tree);
+SFW_EXPORT std::string encodeBinaryMessage(const octomap::OcTree& tree);
+SFW_EXPORT std::string encodeFullMessage(const octomap::OcTree& tree);
 
 }  // namespace sfw

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "structure_from_wifi/export.h"
 #include "structure_from_wifi/types.h"
 
 namespace sfw {
@@ -16,7 +17,7 @@ struct Fix {
 };
 
 /// How a path moves when a localisation corrects the past. Immutable.
-class PathCorrection {
+class SFW_EXPORT PathCorrection {
  public:
   /// Moves nothing.
   PathCorrection() = default;
@@ -53,7 +54,7 @@ class PathCorrection {
 ///
 /// What the corrected path is follows from the set of fixes alone, not from the order in which
 /// they came. Not thread-safe.
-class OdometryAnchor {
+class SFW_EXPORT OdometryAnchor {
  public:
   /// A correction that changes by more than this from a fix to the next is a jump.
   struct Tolerance {

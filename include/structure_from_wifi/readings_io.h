@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "structure_from_wifi/export.h"
 #include "structure_from_wifi/types.h"
 
 namespace sfw {
@@ -25,14 +26,14 @@ struct ReadingFile {
 /// map frame); other columns are left unread.
 /// @throw InputError naming the file if it cannot be read, lacks a column (named) or has no row
 /// that can be used.
-ReadingFile readReadings(const std::string& file);
+SFW_EXPORT ReadingFile readReadings(const std::string& file);
 
 /// Reads a CSV of places where the robot touched something, with the columns stamp, x, y.
 /// @throw InputError as readReadings, naming the line of any row that cannot be used.
-std::vector<Contact> readContacts(const std::string& file);
+SFW_EXPORT std::vector<Contact> readContacts(const std::string& file);
 
 /// Reads a CSV of way points with the columns x, y (metres, map frame), in the order to be driven.
 /// @throw InputError as readContacts.
-std::vector<Position> readWayPoints(const std::string& file);
+SFW_EXPORT std::vector<Position> readWayPoints(const std::string& file);
 
 }  // namespace sfw

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "structure_from_wifi/config.h"
+#include "structure_from_wifi/export.h"
 #include "structure_from_wifi/types.h"
 
 namespace YAML {
@@ -21,11 +22,11 @@ struct ConfigReading {
 /// Reads settings over the defaults: nested maps whose paths are the names of forEachSetting.
 /// The key `access_points` is left to readAccessPoints.
 /// @throw InputError naming every setting of the wrong type and every problem of validate().
-ConfigReading configFromYaml(const YAML::Node& node);
+SFW_EXPORT ConfigReading configFromYaml(const YAML::Node& node);
 
 /// As configFromYaml, from a file.
 /// @throw InputError naming the file, also if it cannot be read or parsed.
-ConfigReading readConfig(const std::string& file);
+SFW_EXPORT ConfigReading readConfig(const std::string& file);
 
 /// Access points and what the author of their table should hear although it can be used.
 struct AccessPointReading {
@@ -35,10 +36,10 @@ struct AccessPointReading {
 
 /// Reads `[{bssid, x?, y?, z?, name?, tx_dbm?}]`.
 /// @throw InputError if the table is missing or empty, or naming every unusable or double entry.
-AccessPointReading accessPointsFromYaml(const YAML::Node& table);
+SFW_EXPORT AccessPointReading accessPointsFromYaml(const YAML::Node& table);
 
 /// As accessPointsFromYaml, from a file whose key `access_points` holds the table.
 /// @throw InputError naming the file, also if it cannot be read or parsed.
-AccessPointReading readAccessPoints(const std::string& file);
+SFW_EXPORT AccessPointReading readAccessPoints(const std::string& file);
 
 }  // namespace sfw

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "structure_from_wifi/export.h"
+
 namespace sfw {
 
 /// The version of this library, as package.xml has it: "0.1.0".
-const char* version();
+SFW_EXPORT const char* version();
 
 }  // namespace sfw
