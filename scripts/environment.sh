@@ -1,8 +1,10 @@
+# shellcheck shell=bash
 # Sourced by the scripts beside it: where things lie, and an environment in which they work on any
 # machine. Sets `repository` and `build`; defines say, fail and source_ros.
 
 repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
-build=$repository/build
+# Another folder holds a variant of the build, with sanitizers say.
+build=${SFW_BUILD_FOLDER:-$repository/build}
 
 # ROS belongs to the system's Python; another one first on the path breaks catkin and rospy alike.
 export PATH=/usr/bin:/bin:/usr/sbin:/sbin:${PATH:-/usr/local/bin}

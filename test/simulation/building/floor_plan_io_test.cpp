@@ -6,9 +6,9 @@
 #include <cmath>
 #include <filesystem>
 
-#include "support/plan_files.h"
 #include "support/ascii_world.h"
 #include "support/floor_plans.h"
+#include "support/plan_files.h"
 
 namespace sfw {
 namespace {

@@ -5,9 +5,9 @@
 #include <fstream>
 #include <iterator>
 
-#include "support/plan_files.h"
 #include "simulation/building/floor_plan_io.h"
 #include "support/ascii_world.h"
+#include "support/plan_files.h"
 
 namespace sfw {
 namespace {
