@@ -9,13 +9,12 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "base/log_odds.h"
 #include "files/text.h"
 #include "structure_from_wifi/input_error.h"
 
 namespace sfw {
 namespace {
-
-double logistic(double x) { return 1.0 / (1.0 + std::exp(-x)); }
 
 /// Log density of a normal distribution, without the constant.
 double logDensity(const BeliefModel::Expert& expert, const BeliefModel::Style& style) {

@@ -53,16 +53,6 @@ struct FusedBelief {
   std::vector<std::vector<double>> sample_loss;
 };
 
-/// Probability that cells of the building frame are free; 0.5 where cells are not judged.
-///
-/// The model judges each cell by itself; then log odds are drawn towards the lower one of their
-/// means along the building's two axes, since walls are straight, and probabilities blurred by 0.1
-/// m.
-/// @param radio  false: by the features of the path alone, the control `no radio`
-/// O(cells).
-Grid<float> freeProbability(const CellFeatures& judged, const BeliefModel& model,
-                            const StyleShares& style, bool radio);
-
 /// Line-field tomography and the fused belief (doc/method/belief.md).
 ///
 /// Probabilities below belief/free_threshold are of cells that hang together with the path; those

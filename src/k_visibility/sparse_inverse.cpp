@@ -3,18 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/log_odds.h"
 #include "grid/ray.h"
+#include "grid/robot_evidence.h"
 
 namespace sfw {
 namespace {
 
-constexpr float kUnknown = 0.5F;
-constexpr float kFootprint = 0.02F;     // the robot stood there
-constexpr float kContact = 0.95F;       // the robot ran into it
 constexpr double kRayCertainty = 0.95;  // no number of correlated rays says more than this
-
-double logit(double p) { return std::log(p / (1.0 - p)); }
-double logistic(double x) { return 1.0 / (1.0 + std::exp(-x)); }
 
 /// Wall counts of the cells that the path crosses, as one access point hears them.
 class PathCells {
@@ -148,7 +144,7 @@ void freeFootprints(const std::vector<Position>& path, const Config::Inference& 
       for (c.x = low.x; c.x <= high.x; ++c.x) {
         const bool covered = c == own || (geometry.centre(c) - pose).norm() <= radius;
         if (covered && geometry.contains(c)) {
-          occupied[c] = kFootprint;
+          occupied[c] = kFootprintOccupancy;
         }
       }
     }
@@ -219,19 +215,14 @@ Grid<float> inferOccupancy(const GridGeometry& geometry, const std::vector<Count
   for (const CountedPath& one : heard) {
     addRays(one, config, stop, evidence);
   }
-  Grid<float> occupied(geometry, kUnknown);
+  Grid<float> occupied(geometry, kUnknownOccupancy);
   for (std::size_t i = 0; i < evidence.cells.size(); ++i) {
     if (evidence.cells[i].weight > 0.0) {
       occupied.cells[i] = occupancy(evidence.cells[i], config.wall_density);
     }
   }
   freeFootprints(densified(path, geometry.resolution(), config.max_gap), config, occupied);
-  for (const Contact& contact : contacts) {
-    const Cell cell = geometry.cellAt(contact.point_in_map);
-    if (geometry.contains(cell)) {
-      occupied[cell] = kContact;
-    }
-  }
+  stampContacts(contacts, occupied);
   return occupied;
 }
 

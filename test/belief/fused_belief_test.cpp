@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <random>
 
+#include "belief/free_probability.h"
 #include "evaluation/ablations.h"
 #include "simulation/building/plan_generator.h"
 #include "simulation/scenario.h"
@@ -192,81 +192,6 @@ TEST(Tomography, KeepsWhatTheRobotTouchedOccupied) {
   const auto snapshot = mapper.infer();
   EXPECT_EQ(snapshot->belief.state(snapshot->belief.geometry().cellAt(touched)),
             CellState::kOccupied);
-}
-
-// ---- What cells of a line say of each other ----
-
-/// Cells of a square that are judged free but for the doubtful ones.
-CellFeatures squareWithDoubt(const std::vector<Cell>& doubtful) {
-  constexpr std::int64_t kCells = 61;
-  CellFeatures square{{0.05, Position(0.0, 0.0), kCells, kCells}, {}, {}, {}};
-  square.cells.resize(kCells * kCells);
-  std::iota(square.cells.begin(), square.cells.end(), std::size_t{0});
-  square.values.resize(square.cells.size());
-  for (const Cell& c : doubtful) {
-    square.values[square.geometry.index(c)][0] = 1.0F;
-  }
-  return square;
-}
-
-/// Free by log odds of 2, doubtful by -2.
-BeliefModel doubting() {
-  std::array<BeliefModel::Expert, kDrivingStyles> experts;
-  experts[0].with_radio.intercept = 2.0;
-  experts[0].with_radio.features[0] = -4.0;
-  return BeliefModel(experts);
-}
-
-Grid<float> freeWithDoubt(const std::vector<Cell>& doubtful) {
-  return freeProbability(squareWithDoubt(doubtful), doubting(), {1.0, 0.0, 0.0}, true);
-}
-
-double logOdds(float p) {
-  return std::log(static_cast<double>(p) / (1.0 - static_cast<double>(p)));
-}
-
-TEST(FreeProbability, IsTheModelsWhereAllCellsAreAlike) {
-  EXPECT_NEAR(logOdds(freeWithDoubt({})[Cell{30, 30}]), 2.0, 1e-4);
-}
-
-TEST(FreeProbability, KeepsALineOfDoubtAndClosesItsGaps) {
-  std::vector<Cell> wall;
-  for (std::int64_t y = 0; y < 61; ++y) {
-    for (std::int64_t x = 27; x < 34; ++x) {  // wider than the blur
-      if (y < 28 || y > 32) {
-        wall.push_back({x, y});
-      }
-    }
-  }
-  const Grid<float> free = freeWithDoubt(wall);
-  EXPECT_LT(free[(Cell{30, 10})], 0.2F);
-  EXPECT_LT(free[(Cell{30, 30})], 0.5F) << "a gap of 0.25 m, along the wall";
-  EXPECT_GT(free[(Cell{10, 30})], 0.8F);
-}
-
-TEST(FreeProbability, LetsSingleDoubtFade) {
-  std::vector<Cell> spot;
-  for (std::int64_t y = 28; y < 33; ++y) {
-    for (std::int64_t x = 28; x < 33; ++x) {
-      spot.push_back({x, y});
-    }
-  }
-  // Of a row of 25 cells 5 are doubtful: 0.3 * -2 + 0.7 * (20 * 2 - 5 * 2) / 25.
-  EXPECT_NEAR(logOdds(freeWithDoubt(spot)[Cell{30, 30}]), 0.24, 1e-4);
-}
-
-TEST(FreeProbability, DoesNotPreferAnAxis) {
-  std::vector<Cell> lying, standing;
-  for (std::int64_t i = 5; i < 40; ++i) {
-    lying.push_back({i, 20});
-    standing.push_back({20, i});
-  }
-  const Grid<float> a = freeWithDoubt(lying), b = freeWithDoubt(standing);
-  for (std::int64_t y = 0; y < 61; ++y) {
-    for (std::int64_t x = 0; x < 61; ++x) {
-      ASSERT_NEAR((a[Cell{x, y}]), (b[Cell{y, x}]), 1e-5);
-    }
-  }
 }
 
 // ---- Calibration: drives never used for the shipped model ----

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "grid/mask.h"
+#include "structure_from_wifi/config.h"
+#include "structure_from_wifi/types.h"
+
+namespace sfw {
+
+/// The decision free, occupied or unknown: the last steps from probabilities to a map.
+
+/// Enters the evidence of the robot's body: its footprint along the path becomes free, and the
+/// cells of contacts become occupied.
+/// @param path                cells that the robot's antenna crossed, on the map's grid
+/// @param footprint_radius_m  of the robot
+/// @param occupied            probabilities, changed in place
+/// Linear in cells.
+void stampFootprintAndContacts(const Mask& path, const std::vector<Contact>& contacts,
+                               double footprint_radius_m, Grid<float>& occupied);
+
+/// Labels each cell as free, occupied or unknown by moving its probability across the thresholds.
+///
+/// Free cells are those below belief/free_threshold that are connected with the path over edges,
+/// and islands in them without a clear obstacle. The rim, every cell next to a free one over an
+/// edge or a corner, becomes occupied. All other cells become unknown, because nobody knows what
+/// lies beyond the rim. Contacts and cells without evidence keep their values.
+/// @param path      cells that the robot's antenna crossed, on the map's grid
+/// @param occupied  probabilities, changed in place
+/// Linear in cells.
+void labelFreeAndRim(const Mask& path, const Config::Belief& config, Grid<float>& occupied);
+
+}  // namespace sfw

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "belief/belief_model.h"
+#include "belief/cell_features.h"
+
+namespace sfw {
+
+/// Draws the log odds of described cells towards the mean along one axis of the building.
+///
+/// Of the means of the row and of the column, each over 0.6 m to both sides, the one that speaks
+/// less for free space counts. Walls are straight, so the doubt of a line of cells stays, and the
+/// doubt of a single cell fades.
+/// @param cells     indices of the described cells; no other cell counts or changes
+/// @param log_odds  of free space, 0 in all other cells; changed in place
+/// Linear in cells.
+void straighten(const std::vector<std::size_t>& cells, Grid<float>& log_odds);
+
+/// Probability that cells of the building frame are free; 0.5 where cells are not described.
+///
+/// The model gives the probability of each cell by itself. Then the log odds are straightened, and
+/// the probabilities are blurred by 0.1 m.
+/// @param style  share of the model for each driving style
+/// @param radio  false: by the features of the path alone, the ablation `no radio`
+/// Linear in cells.
+Grid<float> freeProbability(const CellFeatures& described, const BeliefModel& model,
+                            const StyleShares& style, bool radio);
+
+}  // namespace sfw
