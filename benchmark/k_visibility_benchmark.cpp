@@ -115,7 +115,7 @@ int main(int count, char** arguments) {
     }
     for (int i = 1; i < count; ++i) {
       sfw::measure(std::filesystem::path(arguments[i]).filename().string(),
-                   sfw::toStates(sfw::readPlan(arguments[i])));
+                   sfw::toStates(sfw::readFloorPlan(arguments[i])));
     }
   } catch (const std::exception& error) {
     std::fprintf(stderr, "k_visibility_benchmark: %s\n", error.what());

@@ -97,8 +97,8 @@ double octomapBytes(const Snapshot& snapshot) {
                              toFullOctomap(*tree, {}).data.size());
 }
 
-MappedDrive mappedDrive(const Mapper& mapper, const std::vector<AccessPoint>& access_points) {
-  MappedDrive drive;
+DriveData mappedDrive(const Mapper& mapper, const std::vector<AccessPoint>& access_points) {
+  DriveData drive;
   drive.heard.resize(access_points.size());
   for (std::size_t i = 0; i < access_points.size(); ++i) {
     drive.heard[i].access_point_in_map = access_points[i].position;
@@ -117,7 +117,7 @@ MappedDrive mappedDrive(const Mapper& mapper, const std::vector<AccessPoint>& ac
   return drive;
 }
 
-SignalPrecision precisionOf(const HeardAccessPoint& heard, std::size_t count,
+SignalPrecision precisionOf(const AccessPointBins& heard, std::size_t count,
                             const ShadowingModel& model) {
   std::vector<Position> places;
   std::vector<double> noise, loss;
@@ -130,9 +130,9 @@ SignalPrecision precisionOf(const HeardAccessPoint& heard, std::size_t count,
 }
 
 /// One gradient, the plain way, as many times as all members need; the set-up is not counted.
-double plainSeconds(const std::vector<HeardAccessPoint>& heard, const WallFieldConfig& config) {
+double plainSeconds(const std::vector<AccessPointBins>& heard, const WallFieldConfig& config) {
   double sum = 0.0;
-  for (const HeardAccessPoint& one : heard) {
+  for (const AccessPointBins& one : heard) {
     Box box(one.position);
     for (const RadioBin& bin : one.bins) {
       box.extend(bin.place);
@@ -179,8 +179,8 @@ Mask pathCells(const CellFeatures& cells) {
 void measure(double minutes, const Mapper& mapper, const std::vector<AccessPoint>& access_points) {
   const Config config;
   const std::atomic<bool> never{false};
-  const MappedDrive drive = mappedDrive(mapper, access_points);
-  const DescribedDrive described = describeDrive(drive, config, never);
+  const DriveData drive = mappedDrive(mapper, access_points);
+  const DriveFeatures described = extractDriveFeatures(drive, config, never);
   WallFieldConfig walls;
   walls.line.saturation_db = std::numeric_limits<double>::infinity();
   walls.line.shadowing.unexplained_db2 =
@@ -197,7 +197,7 @@ void measure(double minutes, const Mapper& mapper, const std::vector<AccessPoint
 
   std::size_t bins = 0;
   double precision = 0.0;
-  for (const HeardAccessPoint& one : described.heard) {
+  for (const AccessPointBins& one : described.heard) {
     bins += one.bins.size();
     const auto part =
         static_cast<std::size_t>((1.0 - walls.left_out) * static_cast<double>(one.bins.size()));
@@ -214,7 +214,7 @@ void measure(double minutes, const Mapper& mapper, const std::vector<AccessPoint
   });
   const double features = cpuSeconds([&] {
     return static_cast<double>(
-        describeCells(path, described.heard, described.walls, never).values[0][0]);
+        extractCellFeatures(path, described.heard, described.walls, never).values[0][0]);
   });
   const std::shared_ptr<const Snapshot> snapshot = mapper.infer();
   const double inference = cpuSeconds([&] {

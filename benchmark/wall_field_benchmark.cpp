@@ -48,9 +48,9 @@ double seconds(Work&& work) {
 }
 
 /// Products with dense matrices, as many as all members' solutions need; one is timed for each.
-double denseSeconds(const std::vector<HeardAccessPoint>& heard, const WallFieldConfig& config) {
+double denseSeconds(const std::vector<AccessPointBins>& heard, const WallFieldConfig& config) {
   double sum = 0.0;
-  for (const HeardAccessPoint& one : heard) {
+  for (const AccessPointBins& one : heard) {
     const double share = config.members > 1 ? 1.0 - config.left_out : 1.0;
     const auto size = static_cast<Eigen::Index>(share * static_cast<double>(one.bins.size()));
     const Eigen::MatrixXd precision = Eigen::MatrixXd::Constant(size, size, 0.5);
@@ -60,10 +60,10 @@ double denseSeconds(const std::vector<HeardAccessPoint>& heard, const WallFieldC
   return sum * 2.0 * config.line.iterations * config.members;
 }
 
-void measure(const std::string& name, const std::vector<HeardAccessPoint>& heard,
+void measure(const std::string& name, const std::vector<AccessPointBins>& heard,
              const std::vector<Position>& path) {
   Box box;
-  for (const HeardAccessPoint& one : heard) {
+  for (const AccessPointBins& one : heard) {
     box.extend(one.position);
   }
   for (const Position& position : path) {
@@ -83,7 +83,7 @@ void measure(const std::string& name, const std::vector<HeardAccessPoint>& heard
   });
   const double dense = denseSeconds(heard, config);
   std::size_t bins = 0;
-  for (const HeardAccessPoint& one : heard) {
+  for (const AccessPointBins& one : heard) {
     bins += one.bins.size();
   }
   std::printf("| %s | %zu | %zu | %zu | %.3f | %.1f | %.2f | %.1f |\n", name.c_str(), heard.size(),
@@ -96,12 +96,12 @@ void measureOffice(std::size_t count, std::int64_t access_points) {
   PlanGeneratorConfig building;
   building.kind = BuildingKind::kOffice;
   building.area = 400.0;
-  const Plan plan = generatePlan(building).plan;
+  const FloorPlan plan = generatePlan(building).plan;
   const RadioModel radio(plan, asTransmitters(placeAccessPoints(plan, access_points, 1)),
                          levelRadio(NoiseLevel::kRealistic, 1));
   const Route route(planRoute(toStates(plan), RouteKind::kWalls), 1.0, 1000.0);
   std::vector<Position> path;
-  std::vector<HeardAccessPoint> heard(radio.transmitters().size());
+  std::vector<AccessPointBins> heard(radio.transmitters().size());
   for (std::size_t i = 0; i < heard.size(); ++i) {
     heard[i].position = radio.transmitters()[i].access_point.position;
     heard[i].noise_db2 = 9.0;
@@ -118,7 +118,7 @@ void measureOffice(std::size_t count, std::int64_t access_points) {
 }
 
 void measureRecording(const std::string& readings, const std::string& access_points) {
-  std::vector<HeardAccessPoint> heard;
+  std::vector<AccessPointBins> heard;
   std::vector<Position> path;
   const ReadingFile file = readReadings(readings);
   for (const Reading& reading : file.readings) {

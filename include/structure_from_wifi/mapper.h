@@ -24,7 +24,7 @@
 namespace sfw {
 
 /// What became of a reading, pose or contact.
-enum class Insertion {
+enum class InsertResult {
   kAccepted,
   kPositionNotFinite,
   kPositionTooFar,  ///< the map would pass map/max_cells
@@ -35,7 +35,7 @@ enum class Insertion {
 };
 
 /// A short name for counters and messages.
-SFW_EXPORT const char* toString(Insertion insertion);
+SFW_EXPORT const char* toString(InsertResult insertion);
 
 /// What the readings of one access point came to.
 struct AccessPointSummary {
@@ -57,7 +57,7 @@ struct AccessPointSummary {
 };
 
 /// Whether an access point has a position, given or estimated.
-inline bool isPlaced(const AccessPointSummary& summary) {
+inline bool hasPosition(const AccessPointSummary& summary) {
   return summary.access_point.position_known || summary.estimate;
 }
 
@@ -71,9 +71,9 @@ struct TomographySummary {
 
 /// What was given to a mapper and left out of the map.
 struct Rejections {
-  std::map<Insertion, std::size_t> count;
+  std::map<InsertResult, std::size_t> count;
   std::map<Bssid, std::size_t> unknown_access_points;    ///< readings of each; the first 1000 heard
-  std::map<std::string, std::size_t> not_inserted = {};  ///< by reason (Mapper::leaveOut)
+  std::map<std::string, std::size_t> not_inserted = {};  ///< by reason (Mapper::recordRejected)
 };
 
 /// Poses at which the robot cannot have been, since it would have had to jump there and back. They
@@ -123,12 +123,12 @@ class SFW_EXPORT Mapper {
   /// O(log access points), but for the first one that seems to be too far after some that were not:
   /// O(readings log readings). Anything but kAccepted and kUnknownAccessPoint leaves the map as it
   /// was.
-  Insertion insert(const Reading& reading);
-  Insertion insert(const Contact& contact);
+  InsertResult insert(const Reading& reading);
+  InsertResult insert(const Contact& contact);
 
   /// Notes readings that could not even be inserted, for the report.
   /// @param reason  what was wrong with them, in words
-  void leaveOut(const std::string& reason, std::size_t count) {
+  void recordRejected(const std::string& reason, std::size_t count) {
     rejections_.not_inserted[reason] += count;
   }
 
@@ -171,7 +171,7 @@ class SFW_EXPORT Mapper {
   std::vector<std::vector<Sample>> samples() const;
 
  private:
-  enum class Hearing { kSignals, kNothing };
+  enum class UseRadio { kSignals, kNothing };
 
   /// What is heard of one access point: poses in order and signal strengths beside them.
   struct Series {
@@ -180,37 +180,37 @@ class SFW_EXPORT Mapper {
   };
 
   /// What of everything kept can be true.
-  struct Believed {
+  struct Inliers {
     std::vector<PathPose> path;
     std::vector<Reading> readings;
     std::vector<Contact> contacts;
     StrayPoses stray;
     std::size_t stamped_alike = 0;
   };
-  Believed believed() const;
+  Inliers believed() const;
 
   /// Everything kept, by stamp and bssid, of one stamp the strongest first.
   std::vector<Reading> sorted() const;
-  Box extentOf(const Believed& believed) const;
+  Box extentOf(const Inliers& believed) const;
   GridGeometry geometryOf(const Box& extent) const;
 
-  Insertion examined(const Reading& reading) const;
-  Insertion accept(const Reading& reading);
+  InsertResult examined(const Reading& reading) const;
+  InsertResult accept(const Reading& reading);
 
   /// Lets the map reach over a point, unless it would be too large.
-  Insertion makeRoomFor(const Position& point);
+  InsertResult makeRoomFor(const Position& point);
   bool fits(const Box& extent) const;
 
-  std::shared_ptr<const Snapshot> infer(Hearing hearing, const std::atomic<bool>& stop) const;
+  std::shared_ptr<const Snapshot> infer(UseRadio hearing, const std::atomic<bool>& stop) const;
   /// The table with positions estimated where it has none; what cannot be placed is not heard.
   std::vector<AccessPointSummary> placed(std::vector<Series>& heard,
                                          const std::atomic<bool>& stop) const;
   static std::vector<Sample> samplesOf(const Series& series);
 
-  void inferByCounts(std::vector<Series>& heard, Hearing hearing,
+  void inferByCounts(std::vector<Series>& heard, UseRadio hearing,
                      const std::vector<Contact>& contacts, const std::atomic<bool>& stop,
                      Snapshot& snapshot) const;
-  void inferByTomography(std::vector<Series>& heard, Hearing hearing,
+  void inferByTomography(std::vector<Series>& heard, UseRadio hearing,
                          const std::vector<Contact>& contacts, const std::atomic<bool>& stop,
                          Snapshot& snapshot) const;
 

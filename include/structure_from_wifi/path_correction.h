@@ -9,7 +9,7 @@
 namespace sfw {
 
 /// Where the robot was said to be at a time, and the correction of the odometry behind that.
-struct Fix {
+struct OdometryCorrection {
   std::int64_t stamp_ns = 0;
   Position antenna_in_map = Position::Zero();  ///< [m]
   Position odom_in_map = Position::Zero();     ///< origin of the odometry's frame [m]
@@ -30,7 +30,7 @@ class SFW_EXPORT PathCorrection {
   Position moved(std::int64_t stamp_ns, const Position& point_in_map) const;
 
  private:
-  friend class OdometryAnchor;
+  friend class PathCorrector;
 
   struct Move {
     std::int64_t stamp_ns = 0;
@@ -54,7 +54,7 @@ class SFW_EXPORT PathCorrection {
 ///
 /// What the corrected path is follows from the set of fixes alone, not from the order in which
 /// they came. Not thread-safe.
-class SFW_EXPORT OdometryAnchor {
+class SFW_EXPORT PathCorrector {
  public:
   /// A correction that changes by more than this from a fix to the next is a jump.
   struct Tolerance {
@@ -63,13 +63,13 @@ class SFW_EXPORT OdometryAnchor {
   };
 
   /// Whether the odometry is corrected by a jump from one fix to another.
-  static bool isJump(const Fix& before, const Fix& after, const Tolerance& tolerance);
+  static bool isJump(const OdometryCorrection& before, const OdometryCorrection& after, const Tolerance& tolerance);
 
-  OdometryAnchor() = default;
-  explicit OdometryAnchor(const Tolerance& tolerance) : tolerance_(tolerance) {}
+  PathCorrector() = default;
+  explicit PathCorrector(const Tolerance& tolerance) : tolerance_(tolerance) {}
 
   /// Adds a fix; of several of one time, one counts. What is not finite is left out.
-  void insert(const Fix& fix);
+  void insert(const OdometryCorrection& fix);
 
   void clear() { fixes_.clear(); }
 
@@ -81,10 +81,10 @@ class SFW_EXPORT OdometryAnchor {
 
  private:
   /// The last fix of a jump that begins at a fix, of fixes by stamp.
-  std::size_t endOfJump(const std::vector<Fix>& fixes, std::size_t begin) const;
+  std::size_t endOfJump(const std::vector<OdometryCorrection>& fixes, std::size_t begin) const;
 
   Tolerance tolerance_;
-  std::vector<Fix> fixes_;
+  std::vector<OdometryCorrection> fixes_;
 };
 
 }  // namespace sfw

@@ -55,7 +55,7 @@ double noiseOf(const std::vector<Sample>& samples, const std::vector<RadioBin>& 
 }
 
 /// Bins of a size that keeps them few.
-HeardAccessPoint thinned(std::vector<Sample> samples, std::optional<double> height_m) {
+AccessPointBins thinned(std::vector<Sample> samples, std::optional<double> height_m) {
   std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) {
     return std::make_tuple(a.antenna_in_map.x(), a.antenna_in_map.y(), a.rssi_dbm) <
            std::make_tuple(b.antenna_in_map.x(), b.antenna_in_map.y(), b.rssi_dbm);
@@ -65,7 +65,7 @@ HeardAccessPoint thinned(std::vector<Sample> samples, std::optional<double> heig
   for (const Sample& sample : samples) {
     beyond = beyond.cwiseMax(sample.antenna_in_map + Position(1.0, 1.0));
   }
-  HeardAccessPoint heard;
+  AccessPointBins heard;
   double bin = kBin;
   do {
     heard = binned(samples, beyond, height_m, BuildingFrame(), bin);
@@ -212,7 +212,7 @@ std::vector<Position> somePlaces(const Box& box) {
 /// The likelihood with the shadowing that explains the signals best, with the access point at the
 /// best of some places: how strong it is and how far it reaches differs from building to building,
 /// and so does what signals can tell.
-AccessPointLikelihood likeliest(const HeardAccessPoint& heard) {
+AccessPointLikelihood likeliest(const AccessPointBins& heard) {
   constexpr double kUsual = 5.0;   // [dB]
   constexpr double kFactor = 0.5;  // deviation of its logarithm
   const std::vector<Position> places = somePlaces(searched(heard.bins));
@@ -238,7 +238,7 @@ AccessPointLikelihood likeliest(const HeardAccessPoint& heard) {
 
 std::optional<AccessPointLikelihood> likelihoodOf(const std::vector<Sample>& samples,
                                                   std::optional<double> height_m) {
-  HeardAccessPoint heard = thinned(samples, height_m);
+  AccessPointBins heard = thinned(samples, height_m);
   if (heard.bins.size() < kFewestBins || spreadOf(heard.bins) < kLeastSpread) {
     return std::nullopt;
   }

@@ -27,7 +27,7 @@ ShadowingModel modelOf(const AccessPointLikelihood::Shadowing& shadowing) {
   return model;
 }
 
-ShadowingWhitener whitenerOf(const HeardAccessPoint& heard, const ShadowingModel& model) {
+ShadowingWhitener whitenerOf(const AccessPointBins& heard, const ShadowingModel& model) {
   std::vector<Position> places;
   std::vector<double> noise;
   for (const RadioBin& bin : heard.bins) {
@@ -39,7 +39,7 @@ ShadowingWhitener whitenerOf(const HeardAccessPoint& heard, const ShadowingModel
 
 }  // namespace
 
-AccessPointLikelihood::AccessPointLikelihood(HeardAccessPoint heard, const Shadowing& shadowing)
+AccessPointLikelihood::AccessPointLikelihood(AccessPointBins heard, const Shadowing& shadowing)
     : heard_(std::move(heard)), whitener_(whitenerOf(heard_, modelOf(shadowing))) {
   const auto count = static_cast<Eigen::Index>(heard_.bins.size());
   x_.resize(count);

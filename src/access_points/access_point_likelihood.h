@@ -24,7 +24,7 @@ class AccessPointLikelihood {
   };
 
   /// @param heard  its position is not looked at
-  AccessPointLikelihood(HeardAccessPoint heard, const Shadowing& shadowing);
+  AccessPointLikelihood(AccessPointBins heard, const Shadowing& shadowing);
 
   /// Logarithm, up to a constant that is the same for all places and shadowings. O(bins).
   double at(const Position& place) const;
@@ -32,7 +32,7 @@ class AccessPointLikelihood {
   /// Root mean square of the signals to the law fitted for that place [dB].
   double residualAt(const Position& place) const;
 
-  const HeardAccessPoint& heard() const { return heard_; }
+  const AccessPointBins& heard() const { return heard_; }
 
  private:
   using Terms = Eigen::Matrix<double, kTerms, 1>;
@@ -51,7 +51,7 @@ class AccessPointLikelihood {
   Basis basisAt(const Position& place) const;
   Moments momentsAt(const Position& place) const;
 
-  HeardAccessPoint heard_;
+  AccessPointBins heard_;
   ShadowingWhitener whitener_;
   double log_determinant_ = 0.0;  // of the whitener
   Eigen::ArrayXd x_, y_;          // of the bins

@@ -40,9 +40,9 @@ float saturating(float value, float scale) { return 1.0F - std::exp(-value / sca
 float over(float value, float limit) { return std::max(0.0F, value - limit); }
 
 /// Everything that is computed for the whole grid before single cells are described.
-class Describer {
+class CellFeatureExtractor {
  public:
-  Describer(const DrivenPath& path, const std::vector<HeardAccessPoint>& heard,
+  CellFeatureExtractor(const DrivenPath& path, const std::vector<AccessPointBins>& heard,
             const WallField& walls, const std::atomic<bool>& stop)
       : stop_(stop),
         geometry_(path.cells.geometry),
@@ -60,10 +60,10 @@ class Describer {
             [&] { return withHolesFilled(closedWithSquare(path.cells, wholeCells(2.4))); })),
         rays_(rayEvidence(geometry_, heard, walls.ray_loss, stop)),
         beside_(boxMean(walls.strength, wholeCells(0.2))),
-        ways_(waysFrom(path.cells, distance_, walls.strength, stop)),
+        ways_(shortestPathsFrom(path.cells, distance_, walls.strength, stop)),
         alignment_(axisAlignment(geometry_, path.driven, path.max_gap_m)),
         style_(styleOf(path.cells, disc_middle_, path.driven, path.max_gap_m)),
-        explained_(explainedShare(heard, walls.ray_loss)) {
+        explained_(explainedVariance(heard, walls.ray_loss)) {
     Values covered(geometry_);
     for (std::size_t i = 0; i < distance_.cells.size(); ++i) {
       footprint_.cells[i] =
@@ -78,7 +78,7 @@ class Describer {
   CellFeatures describe() const {
     CellFeatures features{geometry_, {}, {}, style_, explained_};
     for (std::size_t i = 0; i < distance_.cells.size() && !stop_; ++i) {
-      if (distance_.cells[i] * geometry_.resolution() <= kFarthestJudged) {
+      if (distance_.cells[i] * geometry_.resolution() <= kMaxDistanceToPath) {
         features.cells.push_back(i);
         features.values.push_back(describe(i));
       }
@@ -102,7 +102,7 @@ class Describer {
   double nearestAccessPoint(std::size_t i) const {
     double nearest = kFarthestAlong;
     const Position centre = geometry_.centre(geometry_.cell(i));
-    for (const HeardAccessPoint& one : heard_) {
+    for (const AccessPointBins& one : heard_) {
       nearest = std::min(nearest, (one.position - centre).norm());
     }
     return nearest;
@@ -174,14 +174,14 @@ class Describer {
 
   const std::atomic<bool>& stop_;
   const GridGeometry& geometry_;
-  const std::vector<HeardAccessPoint>& heard_;
+  const std::vector<AccessPointBins>& heard_;
   const WallField& walls_;
   Grid<double> distance_;  // to the path, in cells
   Mask footprint_;
   Values disc_small_, disc_middle_, disc_large_, square_small_, square_middle_, square_large_;
   RayEvidence rays_;
   Values beside_;  // mean wall strength around
-  Ways ways_;
+  ShortestPaths ways_;
   Values alignment_;
   PathStyle style_;
   double explained_;  // share of the signals that walls explain
@@ -239,12 +239,12 @@ bool usesRadio(std::size_t feature) {
          std::find(kOfWalls.begin(), kOfWalls.end(), feature) != kOfWalls.end();
 }
 
-CellFeatures describeCells(const DrivenPath& path, const std::vector<HeardAccessPoint>& heard,
+CellFeatures extractCellFeatures(const DrivenPath& path, const std::vector<AccessPointBins>& heard,
                            const WallField& walls, const std::atomic<bool>& stop) {
-  return Describer(path, heard, walls, stop).describe();
+  return CellFeatureExtractor(path, heard, walls, stop).describe();
 }
 
-void cutExplained(double least, double most, CellFeatures& features) {
+void clampExplainedVariance(double least, double most, CellFeatures& features) {
   features.explained = std::clamp(features.explained, least, most);
   const auto explained = static_cast<float>(features.explained);
   for (std::array<float, kCellFeatures>& cell : features.values) {

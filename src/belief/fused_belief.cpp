@@ -26,7 +26,7 @@ constexpr double kLeastExplained = 0.55;
 constexpr double kMostExplained = 0.7;
 
 GridGeometry buildingGeometry(const std::vector<Position>& driven,
-                              const std::vector<HeardAccessPoint>& heard,
+                              const std::vector<AccessPointBins>& heard,
                               const Config::Map& config) {
   Box way;
   for (const Position& position : driven) {
@@ -36,8 +36,8 @@ GridGeometry buildingGeometry(const std::vector<Position>& driven,
   const auto grown = [](const Box& box, double by) {
     return Box(box.min() - Position(by, by), box.max() + Position(by, by));
   };
-  Box box = grown(way, kFarthestJudged + kAround);
-  for (const HeardAccessPoint& one : heard) {
+  Box box = grown(way, kMaxDistanceToPath + kAround);
+  for (const AccessPointBins& one : heard) {
     if (way.exteriorDistance(one.position) < kFarthestAccessPoint) {
       box.extend(grown(Box(one.position), kAround));
     }
@@ -104,8 +104,8 @@ Grid<float> onMap(const GridGeometry& geometry, const Grid<float>& values,
   return result;
 }
 
-std::vector<std::vector<double>> sampleLosses(const MappedDrive& drive,
-                                              const DescribedDrive& described) {
+std::vector<std::vector<double>> sampleLosses(const DriveData& drive,
+                                              const DriveFeatures& described) {
   std::vector<std::vector<double>> losses;
   for (std::size_t i = 0; i < drive.heard.size(); ++i) {
     losses.emplace_back();
@@ -119,7 +119,7 @@ std::vector<std::vector<double>> sampleLosses(const MappedDrive& drive,
 
 }  // namespace
 
-DescribedDrive describeDrive(const MappedDrive& drive, const Config& config,
+DriveFeatures extractDriveFeatures(const DriveData& drive, const Config& config,
                              const std::atomic<bool>& stop) {
   const BuildingFrame frame = findBuildingFrame(drive.path, config.inference.max_gap);
   std::vector<Position> driven;
@@ -127,8 +127,8 @@ DescribedDrive describeDrive(const MappedDrive& drive, const Config& config,
   for (const Position& position : drive.path) {
     driven.push_back(frame.toBuilding(position));
   }
-  std::vector<HeardAccessPoint> heard;
-  for (const HeardSamples& one : drive.heard) {
+  std::vector<AccessPointBins> heard;
+  for (const AccessPointSamples& one : drive.heard) {
     heard.push_back(
         binned(one.samples, one.access_point_in_map, one.height_m, frame, config.tomography.bin));
   }
@@ -136,11 +136,11 @@ DescribedDrive describeDrive(const MappedDrive& drive, const Config& config,
   const DrivenPath path = drivenPath(geometry, std::move(driven), config.inference);
   WallField walls = estimateWalls(geometry, heard, path.cells, path.robot_radius_m,
                                   wallFieldConfig(config.tomography), stop);
-  CellFeatures cells = describeCells(path, heard, walls, stop);
+  CellFeatures cells = extractCellFeatures(path, heard, walls, stop);
   return {frame, std::move(heard), std::move(walls), std::move(cells)};
 }
 
-FusedBelief fuse(const GridGeometry& geometry, const MappedDrive& drive, const BeliefModel& model,
+FusedBelief fuse(const GridGeometry& geometry, const DriveData& drive, const BeliefModel& model,
                  const Config& config, bool radio, const std::atomic<bool>& stop) {
   FusedBelief belief{
       Grid<float>(geometry, kUnknownOccupancy), Grid<float>(geometry), {}, 0.0, {}, {}};
@@ -148,7 +148,7 @@ FusedBelief fuse(const GridGeometry& geometry, const MappedDrive& drive, const B
     belief.sample_loss.resize(drive.heard.size());
     return belief;
   }
-  DescribedDrive described = describeDrive(drive, config, stop);
+  DriveFeatures described = extractDriveFeatures(drive, config, stop);
   if (stop) {
     belief.sample_loss.resize(drive.heard.size());
     return belief;
@@ -156,7 +156,7 @@ FusedBelief fuse(const GridGeometry& geometry, const MappedDrive& drive, const B
   belief.frame = described.frame;
   belief.style = model.shares(described.cells.style);
   belief.explained = described.cells.explained;
-  cutExplained(kLeastExplained, kMostExplained, described.cells);
+  clampExplainedVariance(kLeastExplained, kMostExplained, described.cells);
   const Grid<float> free = freeProbability(described.cells, model, belief.style, radio);
   belief.occupied = onMap(geometry, free, described.frame, 0.5F);
   for (float& occupied : belief.occupied.cells) {

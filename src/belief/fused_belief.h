@@ -13,23 +13,23 @@
 namespace sfw {
 
 /// What one access point was heard with.
-struct HeardSamples {
+struct AccessPointSamples {
   Position access_point_in_map = Position::Zero();  ///< [m]
   std::optional<double> height_m;                   ///< of the access point above the floor
   std::vector<Sample> samples;                      ///< in the order heard
 };
 
 /// Everything that a map is inferred from.
-struct MappedDrive {
+struct DriveData {
   std::vector<Position> path;       ///< all positions [m] in the order driven, map frame
-  std::vector<HeardSamples> heard;  ///< by each access point
+  std::vector<AccessPointSamples> heard;  ///< by each access point
   std::vector<Contact> contacts;    ///< obstacles touched: they stay occupied
 };
 
 /// The fields of a drive in the building frame, before any belief.
-struct DescribedDrive {
+struct DriveFeatures {
   BuildingFrame frame;
-  std::vector<HeardAccessPoint> heard;
+  std::vector<AccessPointBins> heard;
   WallField walls;
   CellFeatures cells;
 };
@@ -38,7 +38,7 @@ struct DescribedDrive {
 /// @param drive  with at least one position
 /// @param stop   polled; when it turns true the result is incomplete
 /// @throw InputError if the grid would have more than four times map/max_cells.
-DescribedDrive describeDrive(const MappedDrive& drive, const Config& config,
+DriveFeatures extractDriveFeatures(const DriveData& drive, const Config& config,
                              const std::atomic<bool>& stop);
 
 /// What tomography and the fused belief make of a drive, on the grid of a map.
@@ -46,7 +46,7 @@ struct FusedBelief {
   Grid<float> occupied;    ///< probability; 0.5 exactly where nothing is known
   Grid<float> wall_loss;   ///< of signals through each cell, by radio alone [dB]
   StyleShares style{};     ///< how far the model for each driving style was used
-  double explained = 0.0;  ///< as explainedShare
+  double explained = 0.0;  ///< as explainedVariance
   BuildingFrame frame;
 
   /// Loss on the way to each sample of each access point, by the walls found [dB].
@@ -60,8 +60,8 @@ struct FusedBelief {
 /// that something is known of lie in between: free or not, nobody can say whether a wall is there.
 /// @param geometry  of the map
 /// @param radio     false: the control without signal strength
-/// @param stop      as for describeDrive
-FusedBelief fuse(const GridGeometry& geometry, const MappedDrive& drive, const BeliefModel& model,
+/// @param stop      as for extractDriveFeatures
+FusedBelief fuse(const GridGeometry& geometry, const DriveData& drive, const BeliefModel& model,
                  const Config& config, bool radio, const std::atomic<bool>& stop);
 
 }  // namespace sfw

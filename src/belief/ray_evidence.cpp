@@ -6,7 +6,7 @@
 
 namespace sfw {
 
-RayEvidence rayEvidence(const GridGeometry& geometry, const std::vector<HeardAccessPoint>& heard,
+RayEvidence rayEvidence(const GridGeometry& geometry, const std::vector<AccessPointBins>& heard,
                         const std::vector<std::vector<double>>& losses,
                         const std::atomic<bool>& stop) {
   RayEvidence evidence(geometry);

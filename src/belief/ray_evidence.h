@@ -24,7 +24,7 @@ struct RayEvidence {
 /// @param losses  on the ray to each bin of each access point [dB]
 /// @param stop    polled; when it turns true the result is incomplete
 /// O(cells crossed by rays).
-RayEvidence rayEvidence(const GridGeometry& geometry, const std::vector<HeardAccessPoint>& heard,
+RayEvidence rayEvidence(const GridGeometry& geometry, const std::vector<AccessPointBins>& heard,
                         const std::vector<std::vector<double>>& losses,
                         const std::atomic<bool>& stop);
 

@@ -11,12 +11,12 @@
 
 namespace sfw {
 
-Ways waysFrom(const Mask& path, const Grid<double>& distance, const Grid<float>& strength,
+ShortestPaths shortestPathsFrom(const Mask& path, const Grid<double>& distance, const Grid<float>& strength,
               const std::atomic<bool>& stop) {
   const GridGeometry& geometry = path.geometry;
   const double resolution = geometry.resolution();
   constexpr float kFar = 1e6F;
-  Ways ways{Grid<float>(geometry, kFar), Grid<std::size_t>(geometry)};
+  ShortestPaths ways{Grid<float>(geometry, kFar), Grid<std::size_t>(geometry)};
   using Entry = std::pair<float, std::size_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
   for (std::size_t i = 0; i < path.cells.size(); ++i) {
@@ -27,7 +27,7 @@ Ways waysFrom(const Mask& path, const Grid<double>& distance, const Grid<float>&
     }
   }
   const auto visit = [&](float so_far, std::size_t at, Cell next, double length) {
-    if (!geometry.contains(next) || distance[next] * resolution > kFarthestJudged) {
+    if (!geometry.contains(next) || distance[next] * resolution > kMaxDistanceToPath) {
       return;
     }
     const float cost = so_far + static_cast<float>(length) * (1.0F + 2.0F * strength[next]);

@@ -35,7 +35,7 @@ struct FitOptions {
 };
 
 /// Every second building is made up; the others are the plans given, in turn.
-Plan buildingFor(std::size_t drive, std::int64_t seed, const std::vector<Plan>& plans) {
+FloorPlan buildingFor(std::size_t drive, std::int64_t seed, const std::vector<FloorPlan>& plans) {
   if (!plans.empty() && drive % 2 == 1) {
     return plans[drive / 2 % plans.size()];
   }
@@ -52,7 +52,7 @@ Plan buildingFor(std::size_t drive, std::int64_t seed, const std::vector<Plan>& 
 /// Makes drives on several threads.
 class Drives {
  public:
-  Drives(const FitOptions& options, const std::vector<Plan>& plans, const Config& config)
+  Drives(const FitOptions& options, const std::vector<FloorPlan>& plans, const Config& config)
       : options_(options),
         plans_(plans),
         config_(config),
@@ -95,7 +95,7 @@ class Drives {
   }
 
   const FitOptions& options_;
-  const std::vector<Plan>& plans_;
+  const std::vector<FloorPlan>& plans_;
   const Config& config_;
   std::mutex mutex_;  // of the progress
   Progress progress_;
@@ -135,9 +135,9 @@ void requireWritable(const std::string& file) {
 void run(const FitOptions& options) {
   requireWritable(options.output);
   const Config config = options.config.empty() ? Config() : readConfig(options.config).config;
-  std::vector<Plan> plans;
+  std::vector<FloorPlan> plans;
   for (const std::string& file : planFiles(options.plans)) {
-    plans.push_back(readPlan(file));
+    plans.push_back(readFloorPlan(file));
   }
   const std::vector<TrainingCells> drives = Drives(options, plans, config).make();
   writeAtomically(options.output, describe(options, drives) + toYaml(fitBeliefModel(drives)));

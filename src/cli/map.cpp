@@ -62,12 +62,12 @@ Mapper mapperFor(const std::string& access_points, const Config& config) {
 void insertBag(const MapOptions& options, const Config::Ros& config, Mapper& mapper) {
   const BagReading reading = readBag(options.bag, options.topics, config, mapper);
   if (reading.malformed > 0) {
-    mapper.leaveOut("bssid, age or cloud is malformed", reading.malformed);
+    mapper.recordRejected("bssid, age or cloud is malformed", reading.malformed);
     warn(options.bag + ": " + std::to_string(reading.malformed) +
          " readings or contacts left out: bssid, age or the cloud's fields are malformed");
   }
   if (reading.unplaced > 0) {
-    mapper.leaveOut("no transform at their stamp", reading.unplaced);
+    mapper.recordRejected("no transform at their stamp", reading.unplaced);
     warn(options.bag + ": " + std::to_string(reading.unplaced) +
          " readings left out: no transform from " + config.antenna_frame + " to " +
          config.map_frame + " at their stamp (" + reading.reason + ")");
@@ -92,7 +92,7 @@ void reportRejections(const std::string& source, const Rejections& rejections) {
 /// Tells of an access point that the table has no position of.
 void reportAccessPoint(const std::string& table, const AccessPointSummary& summary) {
   const std::string name = table + ": " + summary.access_point.bssid.str();
-  if (!isPlaced(summary) && summary.readings > 0) {  // silent ones are told by mapNotes
+  if (!hasPosition(summary) && summary.readings > 0) {  // silent ones are told by mapNotes
     warn(name + " is left out: it has no position, and its " + std::to_string(summary.readings) +
          " readings do not tell one");
   } else if (summary.estimate) {
@@ -116,7 +116,7 @@ void run(const MapOptions& options) {
       mapper.insert(reading);
     }
     for (const auto& [reason, skipped] : file.skipped) {
-      mapper.leaveOut(reason, skipped.count);
+      mapper.recordRejected(reason, skipped.count);
     }
   } else {
     insertBag(options, config.ros, mapper);
@@ -134,7 +134,7 @@ void run(const MapOptions& options) {
                      " can be used; see the warnings above");
   }
   Snapshot judged = *snapshot;
-  Judge().judgeAll(mapper, judged);
+  DataChecker().checkAll(mapper, judged);
   for (const AccessPointSummary& summary : judged.access_points) {
     reportAccessPoint(options.access_points, summary);
   }

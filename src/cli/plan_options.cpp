@@ -6,12 +6,12 @@
 
 namespace sfw {
 
-Plan PlanArgument::read() const {
+FloorPlan PlanArgument::read() const {
   PlanOptions complete = options;
   if (metres_per_pixel != 0.0) {
     complete.metres_per_pixel = metres_per_pixel;
   }
-  return readPlan(file, complete);
+  return readFloorPlan(file, complete);
 }
 
 void addPlanOptions(CLI::App& command, PlanArgument& plan) {
@@ -23,7 +23,7 @@ void addPlanOptions(CLI::App& command, PlanArgument& plan) {
   command.add_option("--metres-per-pixel", plan.metres_per_pixel, "scale of a PNG");
 }
 
-Plan BuildingArgument::make(std::int64_t seed) const {
+FloorPlan BuildingArgument::make(std::int64_t seed) const {
   if (plan.file.empty() == generate.empty()) {
     throw InputError("needs either --plan or --generate");
   }

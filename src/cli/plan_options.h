@@ -16,8 +16,8 @@ struct PlanArgument {
   double metres_per_pixel = 0.0;  ///< 0: not given
   PlanOptions options;
 
-  /// @throw InputError as readPlan
-  Plan read() const;
+  /// @throw InputError as readFloorPlan
+  FloorPlan read() const;
 };
 
 /// Adds --plan, --resolution and --metres-per-pixel to a subcommand.
@@ -30,8 +30,8 @@ struct BuildingArgument {
   double area = PlanGeneratorConfig().area;
 
   /// @param seed  of a building made up
-  /// @throw InputError as readPlan and generatePlan, or unless just one of the two is given
-  Plan make(std::int64_t seed) const;
+  /// @throw InputError as readFloorPlan and generatePlan, or unless just one of the two is given
+  FloorPlan make(std::int64_t seed) const;
 };
 
 /// Adds the options of addPlanOptions, --generate and --area to a subcommand.

@@ -37,7 +37,7 @@ std::vector<AccessPoint> accessPointsOf(const SimulateOptions& options) {
 
 void run(SimulateOptions options) {
   options.scenario.level = parseNoiseLevel(options.noise);
-  const Plan plan = options.building.make(options.scenario.seed);
+  const FloorPlan plan = options.building.make(options.scenario.seed);
   const Scenario scenario = makeScenario(plan, accessPointsOf(options), options.scenario);
   const SimulatedRecording recording = simulate(scenario);
   makeDirectories(options.output);

@@ -34,10 +34,10 @@ std::vector<Reading> withShiftedRadio(const std::vector<Reading>& readings, int 
   return shifted;
 }
 
-ControlFigures evaluateControls(const EvaluationInput& input, const std::vector<Reading>& readings,
+AblationMetrics evaluateControls(const EvaluationInput& input, const std::vector<Reading>& readings,
                                 const std::vector<AccessPoint>& access_points,
                                 const Config& config) {
-  ControlFigures controls;
+  AblationMetrics controls;
   EvaluationInput control = input;
   for (int shift = 1; shift <= kRadioShifts; ++shift) {
     const Mapper mapper = mapperOf(withShiftedRadio(readings, shift), access_points, config);

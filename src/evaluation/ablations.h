@@ -19,15 +19,15 @@ std::vector<Reading> withShiftedRadio(const std::vector<Reading>& readings, int 
 
 /// The figures that the same mapper reaches with less than the truth to hear: what it owes to the
 /// radio is its distance from them.
-struct ControlFigures {
-  std::vector<MapFigures> shifted_radio;  ///< one for each shift
-  MapFigures no_radio;                    ///< the path alone by the mapper's own rules
+struct AblationMetrics {
+  std::vector<MapMetrics> shifted_radio;  ///< one for each shift
+  MapMetrics no_radio;                    ///< the path alone by the mapper's own rules
 };
 
 /// Maps the readings again for each control and compares with the truth.
 /// @param input  as for the map itself; its map and probabilities are replaced
 /// @throw InputError as Mapper and evaluate
-ControlFigures evaluateControls(const EvaluationInput& input, const std::vector<Reading>& readings,
+AblationMetrics evaluateControls(const EvaluationInput& input, const std::vector<Reading>& readings,
                                 const std::vector<AccessPoint>& access_points,
                                 const Config& config);
 

@@ -21,8 +21,8 @@ constexpr std::size_t kNeighbours = 16;
 
 /// One access point in a fold.
 struct Part {
-  HeardAccessPoint known;
-  HeardAccessPoint hidden;
+  AccessPointBins known;
+  AccessPointBins hidden;
 };
 
 /// Signals and what they are predicted from at some bins.
@@ -54,7 +54,7 @@ double meanSquare(double sum, std::size_t count) {
 /// Log-distance law fitted to bins, and what is left of each.
 class Law {
  public:
-  Law(const HeardAccessPoint& heard, const Bins& bins, const ShadowingModel& model)
+  Law(const AccessPointBins& heard, const Bins& bins, const ShadowingModel& model)
       : heard_(heard), model_(model), places_(placesOf(heard)), nearest_(places_) {
     std::vector<double> noise;
     for (std::size_t i = 0; i < heard.bins.size(); ++i) {
@@ -97,7 +97,7 @@ class Law {
   }
 
  private:
-  static std::vector<Position> placesOf(const HeardAccessPoint& heard) {
+  static std::vector<Position> placesOf(const AccessPointBins& heard) {
     std::vector<Position> places;
     for (const RadioBin& bin : heard.bins) {
       places.push_back(bin.place);
@@ -110,7 +110,7 @@ class Law {
            std::exp(-distance / model_.shadowing_distance);
   }
 
-  const HeardAccessPoint& heard_;
+  const AccessPointBins& heard_;
   const ShadowingModel& model_;
   std::vector<Position> places_;
   NearestPlaces nearest_;
@@ -138,7 +138,7 @@ class Prediction {
     frame_ = findBuildingFrame(path, kMaxGap);
   }
 
-  std::optional<PredictionFigures> figures(const std::atomic<bool>& stop) {
+  std::optional<PredictionMetrics> figures(const std::atomic<bool>& stop) {
     const std::optional<GridGeometry> geometry = grid();
     if (!geometry) {
       return std::nullopt;
@@ -154,7 +154,7 @@ class Prediction {
     if (stop || bins_ == 0) {
       return std::nullopt;
     }
-    return PredictionFigures{bins_, meanSquare(distance_.mean, bins_),
+    return PredictionMetrics{bins_, meanSquare(distance_.mean, bins_),
                              meanSquare(walls_.mean, bins_), meanSquare(distance_.shadowed, bins_),
                              meanSquare(walls_.shadowed, bins_)};
   }
@@ -202,7 +202,7 @@ class Prediction {
   }
 
   void predict(const Mask& path, const std::vector<Part>& parts, const std::atomic<bool>& stop) {
-    std::vector<HeardAccessPoint> known;
+    std::vector<AccessPointBins> known;
     for (const Part& part : parts) {
       known.push_back(part.known);
     }
@@ -215,7 +215,7 @@ class Prediction {
     }
   }
 
-  Bins describe(const HeardAccessPoint& heard, const WallField* field) const {
+  Bins describe(const AccessPointBins& heard, const WallField* field) const {
     const auto count = static_cast<Eigen::Index>(heard.bins.size());
     Bins bins{Eigen::VectorXd(count), Eigen::VectorXd::Zero(count), Eigen::MatrixXd(count, 2)};
     for (Eigen::Index i = 0; i < count; ++i) {
@@ -261,7 +261,7 @@ PredictionConfig::PredictionConfig() {
   shadowing.unexplained_db2 = 4.0;
 }
 
-std::optional<PredictionFigures> predictHiddenStretches(
+std::optional<PredictionMetrics> predictHiddenStretches(
     const std::vector<Reading>& readings, const std::vector<AccessPoint>& access_points,
     const PredictionConfig& config, const std::atomic<bool>& stop) {
   return Prediction(readings, access_points, config).figures(stop);

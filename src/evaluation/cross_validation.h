@@ -25,7 +25,7 @@ struct PredictionConfig {
 
 /// How far predictions are from the signals on hidden stretches: root mean squares over all bins of
 /// all access points [dB].
-struct PredictionFigures {
+struct PredictionMetrics {
   std::size_t bins = 0;            ///< hidden ones
   double distance = 0.0;           ///< predicted by the law of distance alone
   double walls = 0.0;              ///< and the walls that the other stretches tell of
@@ -47,7 +47,7 @@ struct PredictionFigures {
 /// @return nothing if no bin was hidden that could be predicted, or the readings reach too far for
 /// a grid of 16 million cells.
 /// Deterministic. Cost: folds times that of estimateWalls, plus O(bins) small systems of equations.
-std::optional<PredictionFigures> predictHiddenStretches(
+std::optional<PredictionMetrics> predictHiddenStretches(
     const std::vector<Reading>& readings, const std::vector<AccessPoint>& access_points,
     const PredictionConfig& config, const std::atomic<bool>& stop);
 

@@ -86,11 +86,11 @@ WallFigures wallFigures(const Mask& occupied, const EvaluationTruth& truth,
 }
 
 /// Figures that need nothing but the cells called free.
-MapFigures figuresOfFree(const Mask& called_free, const EvaluationTruth& truth) {
+MapMetrics figuresOfFree(const Mask& called_free, const EvaluationTruth& truth) {
   const auto known = static_cast<double>(count(truth.known));
   const bool mostly_known = known > kMostlyKnown * static_cast<double>(truth.known.cells.size());
   const Mask free = mostly_known ? both(called_free, truth.known) : called_free;
-  MapFigures figures;
+  MapMetrics figures;
   figures.free = freeFigures(free, truth);
   figures.leak = shareIfAny(truth.walls, free);
   if (const std::optional<Mask> observed = observedWalls(truth)) {
@@ -233,10 +233,10 @@ RadioFigures radioFigures(const Grid<float>& wall_loss, const EvaluationTruth& t
           radioWallF1(called, truth, kFourCells)};
 }
 
-MapFigures figuresOfMap(const EvaluationInput& input, const EvaluationTruth& truth) {
+MapMetrics figuresOfMap(const EvaluationInput& input, const EvaluationTruth& truth) {
   const Grid<CellState> map = sampled(input.map, truth.lattice(), CellState::kUnknown);
   const Mask occupied = cellsOfState(map, CellState::kOccupied);
-  MapFigures figures = figuresOfFree(cellsOfState(map, CellState::kFree), truth);
+  MapMetrics figures = figuresOfFree(cellsOfState(map, CellState::kFree), truth);
   figures.wall_one_cell = wallFigures(occupied, truth, 1.0);
   figures.wall_two_cells = wallFigures(occupied, truth, kTwoCells);
   const Mask off_walls = complement(dilated(truth.occupied, kTwoCells));

@@ -50,7 +50,7 @@ struct RadioFigures {
 };
 
 /// All figures of one map. A figure is absent where the truth or the input gives it no meaning.
-struct MapFigures {
+struct MapMetrics {
   FreeFigures free;
   std::optional<WallFigures> wall_one_cell;   ///< tolerance 0.05 m
   std::optional<WallFigures> wall_two_cells;  ///< tolerance 0.1 m
@@ -64,8 +64,8 @@ struct MapFigures {
 
 /// A map's figures beside those of a map made without any radio.
 struct Evaluation {
-  MapFigures map;
-  MapFigures path_only;  ///< free figures and leaks alone: it has no walls and no probabilities
+  MapMetrics map;
+  MapMetrics path_only;  ///< free figures and leaks alone: it has no walls and no probabilities
   double free_m2 = 0.0;  ///< area of the truth's free region
   std::size_t wall_cells = 0;
   std::optional<std::size_t> observed_wall_cells;  ///< absent without access points

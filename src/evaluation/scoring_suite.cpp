@@ -39,9 +39,9 @@ class Benchmark {
       setBelief(inferred(mapper, trueCounts(), config), input_);
       add(method.name + ", true k", evaluate(input_).map);
     }
-    const ControlFigures controls =
+    const AblationMetrics controls =
         evaluateControls(input_, recording_.readings, access_points_, config);
-    for (const MapFigures& figures : controls.shifted_radio) {
+    for (const MapMetrics& figures : controls.shifted_radio) {
       add(method.name + ", shifted radio", figures);
     }
     add(method.name + ", no radio", controls.no_radio);
@@ -58,7 +58,7 @@ class Benchmark {
   std::vector<BenchmarkFigures> takeResults() { return std::move(results_); }
 
  private:
-  void add(const std::string& made_by, const MapFigures& figures) {
+  void add(const std::string& made_by, const MapMetrics& figures) {
     results_.push_back({made_by, figures});
   }
 

@@ -29,7 +29,7 @@ std::vector<BenchmarkMethod> benchmarkMethods(const std::vector<std::string>& na
 /// One map of a recording and how good it is.
 struct BenchmarkFigures {
   std::string made_by;  ///< "k_visibility, K-means k", "path only", ...
-  MapFigures figures;
+  MapMetrics figures;
 };
 
 /// Maps one simulated recording in every way and judges the maps, in the order of the tables.

@@ -16,7 +16,7 @@ constexpr std::uint32_t kOneWall = 2;
 
 /// Goes on through two cells, out of one row and into the next; coming from the open into a wall,
 /// in either step, counts one more.
-std::uint32_t goOn(std::uint32_t met, bool goes_out_in_wall, bool comes_in_in_wall) {
+std::uint32_t advance(std::uint32_t met, bool goes_out_in_wall, bool comes_in_in_wall) {
   const bool entered = goes_out_in_wall ? (met & kInWall) == 0 : comes_in_in_wall;
   return (met & ~kInWall) + (entered ? kOneWall : 0) + (comes_in_in_wall ? kInWall : 0);
 }
@@ -45,7 +45,7 @@ struct ConeSweep::Crossing {
   /// Where either changes next.
   std::int64_t change() const { return std::min(*out.next, *in.next); }
 
-  Met here(Met met) const { return goOn(met, out.isWall(), in.isWall()); }
+  Met here(Met met) const { return advance(met, out.isWall(), in.isWall()); }
 
   /// Passes change(): what the one ray has met then that goes exactly through it.
   ///
@@ -59,7 +59,7 @@ struct ConeSweep::Crossing {
     const bool goes_out = corner > 0 ? out_below : out.isWall();
     const bool comes_in = corner > 0 ? in.isWall() : in_below;
     const bool between = corner > 0 ? out.isWall() && in_below : out_below && in.isWall();
-    const Met after = goOn(met, goes_out, comes_in);
+    const Met after = advance(met, goes_out, comes_in);
     return after + (between && !goes_out && !comes_in ? kOneWall : 0);
   }
 
@@ -97,7 +97,7 @@ void ConeSweep::writeTo(Grid<std::uint8_t>& counts) {
     const std::int64_t at = distance(row, sign_ > 0 ? 0 : kCell);
     if (at > 0) {  // else it is the access point's own row
       crossInto(at);
-      giveUpBeyondGrid(at);
+      dropRaysOutsideGrid(at);
     }
     readCounts(row, counts);
   }
@@ -194,7 +194,7 @@ void ConeSweep::readCounts(std::int64_t row, Grid<std::uint8_t>& counts) const {
 }
 
 /// Drops the rays that have left the grid sideways: they meet none of its cells again.
-void ConeSweep::giveUpBeyondGrid(std::int64_t at) {
+void ConeSweep::dropRaysOutsideGrid(std::int64_t at) {
   const std::int64_t low = -source_across_;
   const std::int64_t high = columns_ * kCell - source_across_;
   const auto ends_beyond = [at](const Piece& piece, std::int64_t position) {

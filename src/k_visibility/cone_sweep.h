@@ -57,7 +57,7 @@ class ConeSweep {
   void crossInto(std::int64_t at);
   void append(std::int64_t across, std::int64_t along, Met met, Met met_at_end);
   void readCounts(std::int64_t row, Grid<std::uint8_t>& counts) const;
-  void giveUpBeyondGrid(std::int64_t at);
+  void dropRaysOutsideGrid(std::int64_t at);
 
   const Grid<CellState>& plan_;
   const int sign_;

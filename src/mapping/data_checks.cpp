@@ -13,7 +13,7 @@ constexpr std::size_t kMostAtOnce = 4;
 
 }  // namespace
 
-void Judge::judgeAll(const Mapper& mapper, Snapshot& snapshot, const std::atomic<bool>& stop) {
+void DataChecker::checkAll(const Mapper& mapper, Snapshot& snapshot, const std::atomic<bool>& stop) {
   const std::vector<std::vector<Sample>> samples = mapper.samples();
   known_.assign(samples.size(), {});
   for (std::size_t i = 0; i < samples.size() && !stop; ++i) {
@@ -25,12 +25,12 @@ void Judge::judgeAll(const Mapper& mapper, Snapshot& snapshot, const std::atomic
   }
 }
 
-void Judge::judgeAll(const Mapper& mapper, Snapshot& snapshot) {
+void DataChecker::checkAll(const Mapper& mapper, Snapshot& snapshot) {
   const std::atomic<bool> never{false};
-  judgeAll(mapper, snapshot, never);
+  checkAll(mapper, snapshot, never);
 }
 
-bool Judge::judgeChanged(const Mapper& mapper, Snapshot& snapshot, const std::atomic<bool>& stop) {
+bool DataChecker::checkChanged(const Mapper& mapper, Snapshot& snapshot, const std::atomic<bool>& stop) {
   const std::vector<std::vector<Sample>> samples = mapper.samples();
   known_.resize(samples.size());
   ++round_;
@@ -55,7 +55,7 @@ bool Judge::judgeChanged(const Mapper& mapper, Snapshot& snapshot, const std::at
 }
 
 /// Share of readings more than at the last judgement; infinite if they are others.
-double Judge::change(const Known& known, const std::vector<Sample>& samples) {
+double DataChecker::change(const Known& known, const std::vector<Sample>& samples) {
   constexpr double kAll = std::numeric_limits<double>::infinity();
   if (known.readings == 0) {
     return samples.empty() ? 0.0 : kAll;
@@ -67,7 +67,7 @@ double Judge::change(const Known& known, const std::vector<Sample>& samples) {
   return static_cast<double>(samples.size()) / static_cast<double>(known.readings) - 1.0;
 }
 
-void Judge::judge(const AccessPoint& access_point, const std::vector<Sample>& samples,
+void DataChecker::judge(const AccessPoint& access_point, const std::vector<Sample>& samples,
                   Known& known) {
   known = {};
   known.readings = samples.size();
@@ -79,7 +79,7 @@ void Judge::judge(const AccessPoint& access_point, const std::vector<Sample>& sa
   }
 }
 
-void Judge::note(Snapshot& snapshot) const {
+void DataChecker::note(Snapshot& snapshot) const {
   for (std::size_t i = 0; i < known_.size(); ++i) {
     snapshot.access_points[i].fit = known_[i].fit;
   }

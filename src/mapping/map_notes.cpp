@@ -127,7 +127,7 @@ void addNoteOnSignals(const Snapshot& snapshot, Notes& notes) {
   double deviation_db = 0.0;
   for (const AccessPointSummary& summary : snapshot.access_points) {
     heard += summary.readings;
-    if (isPlaced(summary)) {
+    if (hasPosition(summary)) {
       readings += summary.readings;
       deviation_db = std::max(deviation_db, summary.rssi_deviation_db);
     }

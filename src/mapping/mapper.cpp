@@ -72,21 +72,21 @@ Box firstExtent(const Config& config, const std::vector<AccessPoint>& access_poi
 
 }  // namespace
 
-const char* toString(Insertion insertion) {
+const char* toString(InsertResult insertion) {
   switch (insertion) {
-    case Insertion::kAccepted:
+    case InsertResult::kAccepted:
       return "accepted";
-    case Insertion::kPositionNotFinite:
+    case InsertResult::kPositionNotFinite:
       return "position is not finite";
-    case Insertion::kPositionTooFar:
+    case InsertResult::kPositionTooFar:
       return "position is so far out that the map would pass map/max_cells";
-    case Insertion::kRssiNotFinite:
+    case InsertResult::kRssiNotFinite:
       return "rssi_dbm is not finite";
-    case Insertion::kRssiOutOfRange:
+    case InsertResult::kRssiOutOfRange:
       return "rssi_dbm is not in (-120, 0] (percent, or a driver's \"not heard\"?)";
-    case Insertion::kUnknownAccessPoint:
+    case InsertResult::kUnknownAccessPoint:
       return "bssid is not in the table of access points";
-    case Insertion::kTooManyReadings:
+    case InsertResult::kTooManyReadings:
       return "map/max_readings is reached";
   }
   return "";
@@ -114,12 +114,12 @@ bool Mapper::fits(const Box& extent) const {
   }
 }
 
-Insertion Mapper::makeRoomFor(const Position& point) {
+InsertResult Mapper::makeRoomFor(const Position& point) {
   if (!point.allFinite()) {
-    return Insertion::kPositionNotFinite;
+    return InsertResult::kPositionNotFinite;
   }
   if (extent_.contains(point)) {
-    return Insertion::kAccepted;
+    return InsertResult::kAccepted;
   }
   const Box box(point);
   const std::size_t kept = readings_.size() + contacts_.size();
@@ -129,60 +129,60 @@ Insertion Mapper::makeRoomFor(const Position& point) {
     kept_when_believed_ = kept;
   }
   if (!fits(extent_.merged(box))) {
-    return Insertion::kPositionTooFar;
+    return InsertResult::kPositionTooFar;
   }
   extent_.extend(point);
-  return Insertion::kAccepted;
+  return InsertResult::kAccepted;
 }
 
-Insertion Mapper::insert(const Reading& reading) {
-  const Insertion insertion = accept(reading);
-  if (insertion != Insertion::kAccepted) {
+InsertResult Mapper::insert(const Reading& reading) {
+  const InsertResult insertion = accept(reading);
+  if (insertion != InsertResult::kAccepted) {
     ++rejections_.count[insertion];
   }
   constexpr std::size_t kMostNamed = 1000;
   auto& unknown = rejections_.unknown_access_points;
-  if (insertion == Insertion::kUnknownAccessPoint &&
+  if (insertion == InsertResult::kUnknownAccessPoint &&
       (unknown.size() < kMostNamed || unknown.count(reading.bssid) > 0)) {
     ++unknown[reading.bssid];
   }
   return insertion;
 }
 
-Insertion Mapper::examined(const Reading& reading) const {
+InsertResult Mapper::examined(const Reading& reading) const {
   if (!std::isfinite(reading.rssi_dbm)) {
-    return Insertion::kRssiNotFinite;
+    return InsertResult::kRssiNotFinite;
   }
   if (reading.rssi_dbm <= -120.0 || reading.rssi_dbm > 0.0) {
-    return Insertion::kRssiOutOfRange;
+    return InsertResult::kRssiOutOfRange;
   }
   const auto limit = static_cast<std::size_t>(config_.map.max_readings);
   if (readings_.size() >= limit) {
-    return Insertion::kTooManyReadings;
+    return InsertResult::kTooManyReadings;
   }
-  return Insertion::kAccepted;
+  return InsertResult::kAccepted;
 }
 
-Insertion Mapper::accept(const Reading& reading) {
-  const Insertion examination = examined(reading);
-  if (examination != Insertion::kAccepted) {
+InsertResult Mapper::accept(const Reading& reading) {
+  const InsertResult examination = examined(reading);
+  if (examination != InsertResult::kAccepted) {
     return examination;
   }
   const Reading kept{reading.stamp_ns, rounded(reading.antenna_in_map), reading.bssid,
                      rounded(reading.rssi_dbm, kRssiSteps)};
-  const Insertion room = makeRoomFor(kept.antenna_in_map);
-  if (room != Insertion::kAccepted) {
+  const InsertResult room = makeRoomFor(kept.antenna_in_map);
+  if (room != InsertResult::kAccepted) {
     return room;
   }
   readings_.push_back(kept);
-  return index_of_.count(kept.bssid) > 0 ? Insertion::kAccepted : Insertion::kUnknownAccessPoint;
+  return index_of_.count(kept.bssid) > 0 ? InsertResult::kAccepted : InsertResult::kUnknownAccessPoint;
 }
 
-Insertion Mapper::insert(const Contact& contact) {
+InsertResult Mapper::insert(const Contact& contact) {
   const Position point = rounded(contact.point_in_map);
   const bool full = contacts_.size() >= static_cast<std::size_t>(config_.map.max_readings);
-  const Insertion insertion = full ? Insertion::kTooManyReadings : makeRoomFor(point);
-  if (insertion == Insertion::kAccepted) {
+  const InsertResult insertion = full ? InsertResult::kTooManyReadings : makeRoomFor(point);
+  if (insertion == InsertResult::kAccepted) {
     contacts_.push_back({contact.stamp_ns, point});
   } else {
     ++rejections_.count[insertion];
@@ -198,8 +198,8 @@ void Mapper::correct(const PathCorrection& correction) {
     auto kept = all.begin();
     for (auto one : all) {
       one.*position = rounded(correction.moved(one.stamp_ns, one.*position));
-      const Insertion insertion = makeRoomFor(one.*position);
-      if (insertion == Insertion::kAccepted) {
+      const InsertResult insertion = makeRoomFor(one.*position);
+      if (insertion == InsertResult::kAccepted) {
         *kept++ = one;
       } else {
         ++rejections_.count[insertion];
@@ -213,7 +213,7 @@ void Mapper::correct(const PathCorrection& correction) {
 
 Box Mapper::extent() const { return extentOf(believed()); }
 
-Box Mapper::extentOf(const Believed& believed) const {
+Box Mapper::extentOf(const Inliers& believed) const {
   Box extent = least_extent_;
   for (const PathPose& pose : believed.path) {
     extent.extend(pose.antenna_in_map);

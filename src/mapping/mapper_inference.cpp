@@ -117,10 +117,10 @@ int wallsOf(double loss_db) {
 
 }  // namespace
 
-Mapper::Believed Mapper::believed() const {
+Mapper::Inliers Mapper::believed() const {
   std::vector<Reading> every = sorted();
   const std::size_t stamped_alike = countStampedAlike(every);
-  Believed believed{{}, strongestOfEachStamp(std::move(every)), contacts_, {}, stamped_alike};
+  Inliers believed{{}, strongestOfEachStamp(std::move(every)), contacts_, {}, stamped_alike};
   std::vector<PathPose> path = pathOf(believed.readings);
   const std::vector<bool> stray = strayPoses(path);
   believed.stray = summaryOf(path, stray);
@@ -128,15 +128,15 @@ Mapper::Believed Mapper::believed() const {
     believed.path = std::move(path);
     return believed;
   }
-  const auto leaveOut = [](auto& all, auto&& is_stray) {
+  const auto recordRejected = [](auto& all, auto&& is_stray) {
     all.erase(std::remove_if(all.begin(), all.end(), is_stray), all.end());
   };
-  leaveOut(believed.readings, [&](const Reading& reading) {
+  recordRejected(believed.readings, [&](const Reading& reading) {
     const PathPose pose{reading.stamp_ns, reading.antenna_in_map, PathPose::kNothingHeard};
     return stray[static_cast<std::size_t>(
         std::lower_bound(path.begin(), path.end(), pose, earlier) - path.begin())];
   });
-  leaveOut(believed.contacts,
+  recordRejected(believed.contacts,
            [&](const Contact& contact) { return stray[poseAt(contact.stamp_ns, path)]; });
   believed.path = pathOf(believed.readings);
   return believed;
@@ -161,17 +161,17 @@ std::shared_ptr<const Snapshot> Mapper::infer() const {
 }
 
 std::shared_ptr<const Snapshot> Mapper::infer(const std::atomic<bool>& stop) const {
-  return infer(Hearing::kSignals, stop);
+  return infer(UseRadio::kSignals, stop);
 }
 
 std::shared_ptr<const Snapshot> Mapper::inferWithoutRadio() const {
   const std::atomic<bool> never{false};
-  return infer(Hearing::kNothing, never);
+  return infer(UseRadio::kNothing, never);
 }
 
-std::shared_ptr<const Snapshot> Mapper::infer(Hearing hearing,
+std::shared_ptr<const Snapshot> Mapper::infer(UseRadio hearing,
                                               const std::atomic<bool>& stop) const {
-  const Believed known = believed();
+  const Inliers known = believed();
   Snapshot snapshot{
       BeliefMap(geometryOf(extentOf(known)), config_.belief), known.path, {}, rejections_};
   snapshot.stray = known.stray;
@@ -225,7 +225,7 @@ std::vector<std::vector<Sample>> Mapper::samples() const {
   return samples;
 }
 
-void Mapper::inferByCounts(std::vector<Series>& heard, Hearing hearing,
+void Mapper::inferByCounts(std::vector<Series>& heard, UseRadio hearing,
                            const std::vector<Contact>& contacts, const std::atomic<bool>& stop,
                            Snapshot& snapshot) const {
   std::vector<CountedPath> counted_paths;
@@ -243,7 +243,7 @@ void Mapper::inferByCounts(std::vector<Series>& heard, Hearing hearing,
     snapshot.access_points[i].model = model;
     counted_paths.push_back(std::move(counted));
   }
-  if (hearing == Hearing::kNothing) {
+  if (hearing == UseRadio::kNothing) {
     counted_paths.clear();
   }
   snapshot.belief =
@@ -252,10 +252,10 @@ void Mapper::inferByCounts(std::vector<Series>& heard, Hearing hearing,
                 config_.belief);
 }
 
-void Mapper::inferByTomography(std::vector<Series>& heard, Hearing hearing,
+void Mapper::inferByTomography(std::vector<Series>& heard, UseRadio hearing,
                                const std::vector<Contact>& contacts, const std::atomic<bool>& stop,
                                Snapshot& snapshot) const {
-  MappedDrive drive{positionsOf(snapshot.path), {}, contacts};
+  DriveData drive{positionsOf(snapshot.path), {}, contacts};
   std::vector<std::size_t> index;  // of each access point that is heard
   for (std::size_t i = 0; i < heard.size(); ++i) {
     if (!heard[i].poses.empty()) {
@@ -265,7 +265,7 @@ void Mapper::inferByTomography(std::vector<Series>& heard, Hearing hearing,
     }
   }
   FusedBelief fused =
-      fuse(snapshot.belief.geometry(), drive, model_, config_, hearing == Hearing::kSignals, stop);
+      fuse(snapshot.belief.geometry(), drive, model_, config_, hearing == UseRadio::kSignals, stop);
   for (std::size_t i = 0; i < index.size(); ++i) {
     for (std::size_t j = 0; j < fused.sample_loss[i].size(); ++j) {
       PathPose& pose = heard[index[i]].poses[j];

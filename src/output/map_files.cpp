@@ -72,7 +72,7 @@ ordered_json describe(const AccessPointSummary& summary) {
   ordered_json json{{"bssid", access_point.bssid.str()},
                     {"name", asUtf8(access_point.name)},
                     {"readings", summary.readings}};
-  if (isPlaced(summary)) {
+  if (hasPosition(summary)) {
     json["x"] = access_point.position.x();
     json["y"] = access_point.position.y();
   } else {

@@ -17,7 +17,7 @@ Box shownArea(const Snapshot& snapshot) {
     area.extend(pose.antenna_in_map);
   }
   for (const AccessPointSummary& summary : snapshot.access_points) {
-    if (isPlaced(summary)) {
+    if (hasPosition(summary)) {
       area.extend(summary.access_point.position);
     }
   }
@@ -37,7 +37,7 @@ Box shownArea(const Snapshot& snapshot) {
 void drawAccessPoints(const Snapshot& snapshot, Canvas& canvas) {
   std::set<std::pair<double, double>> named;
   for (const AccessPointSummary& summary : snapshot.access_points) {
-    if (!isPlaced(summary)) {
+    if (!hasPosition(summary)) {
       continue;
     }
     const AccessPoint& access_point = summary.access_point;

@@ -17,7 +17,7 @@ constexpr double kMostTurn = 0.1;   // [rad/m]
 /// a jump and the one after it, and a reading may fall in between.
 constexpr std::int64_t kOneJump = 1000000000;  // [ns]
 
-auto order(const Fix& fix) {
+auto order(const OdometryCorrection& fix) {
   return std::make_tuple(fix.stamp_ns, fix.antenna_in_map.x(), fix.antenna_in_map.y(),
                          fix.odom_in_map.x(), fix.odom_in_map.y(), fix.odom_yaw_rad);
 }
@@ -26,23 +26,23 @@ Position turned(double angle_rad, const Position& vector) {
   return Eigen::Rotation2Dd(angle_rad) * vector;
 }
 
-Position antennaInOdom(const Fix& fix) {
+Position antennaInOdom(const OdometryCorrection& fix) {
   return turned(-fix.odom_yaw_rad, fix.antenna_in_map - fix.odom_in_map);
 }
 
 /// Where `fix` would be by the correction of the fix before it.
-Position withoutJump(const Fix& before, const Fix& fix) {
+Position withoutJump(const OdometryCorrection& before, const OdometryCorrection& fix) {
   return before.odom_in_map + turned(before.odom_yaw_rad, antennaInOdom(fix));
 }
 
-double turnBetween(const Fix& before, const Fix& after) {
+double turnBetween(const OdometryCorrection& before, const OdometryCorrection& after) {
   return std::remainder(after.odom_yaw_rad - before.odom_yaw_rad, 2.0 * kPi);
 }
 
 /// A path on which jumps are spread, one after the other.
 class SpreadPath {
  public:
-  explicit SpreadPath(const std::vector<Fix>& fixes)
+  explicit SpreadPath(const std::vector<OdometryCorrection>& fixes)
       : fixes_(fixes), way_(fixes.size(), 0.0), turn_(fixes.size(), 0.0) {
     position_.reserve(fixes.size());
     for (std::size_t i = 0; i < fixes.size(); ++i) {
@@ -61,7 +61,7 @@ class SpreadPath {
   /// comes out where `end` is.
   /// @param since_m  way at which drift began
   void spread(std::size_t begin, std::size_t end, double since_m) {
-    const Fix& before = fixes_[begin - 1];
+    const OdometryCorrection& before = fixes_[begin - 1];
     for (std::size_t i = begin; i < end; ++i) {  // tf may be half way there
       position_[i] = withoutJump(before, fixes_[i]);
       turn_[i] = -turnBetween(before, fixes_[i]);
@@ -114,7 +114,7 @@ class SpreadPath {
     }
   }
 
-  const std::vector<Fix>& fixes_;
+  const std::vector<OdometryCorrection>& fixes_;
   std::vector<double> way_;  // driven by odometry [m]
   std::vector<Position> position_;
   std::vector<double> turn_;  // since the fix was made
@@ -132,7 +132,7 @@ Position PathCorrection::moved(std::int64_t stamp_ns, const Position& point_in_m
   return found->to + turned(found->turn_rad, point_in_map - found->from);
 }
 
-void OdometryAnchor::insert(const Fix& fix) {
+void PathCorrector::insert(const OdometryCorrection& fix) {
   const bool finite = fix.antenna_in_map.allFinite() && fix.odom_in_map.allFinite() &&
                       std::isfinite(fix.odom_yaw_rad);
   // The readings of a scan come one after the other and share their fix.
@@ -142,13 +142,13 @@ void OdometryAnchor::insert(const Fix& fix) {
   }
 }
 
-bool OdometryAnchor::isJump(const Fix& before, const Fix& after, const Tolerance& tolerance) {
+bool PathCorrector::isJump(const OdometryCorrection& before, const OdometryCorrection& after, const Tolerance& tolerance) {
   const double distance_m = (after.antenna_in_map - withoutJump(before, after)).norm();
   return distance_m > tolerance.distance_m ||
          std::abs(turnBetween(before, after)) > tolerance.turn_rad;
 }
 
-std::size_t OdometryAnchor::endOfJump(const std::vector<Fix>& fixes, std::size_t begin) const {
+std::size_t PathCorrector::endOfJump(const std::vector<OdometryCorrection>& fixes, std::size_t begin) const {
   std::size_t end = begin;
   for (std::size_t i = begin + 1;
        i < fixes.size() && fixes[i].stamp_ns - fixes[end].stamp_ns <= kOneJump; ++i) {
@@ -157,12 +157,12 @@ std::size_t OdometryAnchor::endOfJump(const std::vector<Fix>& fixes, std::size_t
   return end;
 }
 
-PathCorrection OdometryAnchor::correction() const {
-  std::vector<Fix> fixes = fixes_;
+PathCorrection PathCorrector::correction() const {
+  std::vector<OdometryCorrection> fixes = fixes_;
   std::sort(fixes.begin(), fixes.end(),
-            [](const Fix& a, const Fix& b) { return order(a) < order(b); });
+            [](const OdometryCorrection& a, const OdometryCorrection& b) { return order(a) < order(b); });
   fixes.erase(std::unique(fixes.begin(), fixes.end(),
-                          [](const Fix& a, const Fix& b) { return a.stamp_ns == b.stamp_ns; }),
+                          [](const OdometryCorrection& a, const OdometryCorrection& b) { return a.stamp_ns == b.stamp_ns; }),
               fixes.end());
   SpreadPath path(fixes);
   double since_m = 0.0;  // where the way of the next jump begins

@@ -16,7 +16,7 @@ constexpr double kLargestStep = 12.0;   // [dB]; larger ones are outliers, not n
 constexpr double kLeastNoise = 0.3;     // [dB]
 
 /// Sum of squares around the log-distance law that fits best, after giving back the losses [dB^2].
-double squaresAroundLaw(const HeardAccessPoint& heard, const std::vector<double>& loss_db) {
+double squaresAroundLaw(const AccessPointBins& heard, const std::vector<double>& loss_db) {
   // Exponents measured indoors lie within these, walls counted apart or not.
   constexpr double kLeastExponent = 0.8;
   constexpr double kMostExponent = 3.5;
@@ -48,9 +48,9 @@ double readingNoise(const std::vector<Sample>& samples) {
   return std::max(mean, kLeastNoise * kLeastNoise);
 }
 
-HeardAccessPoint binned(const std::vector<Sample>& samples, const Position& access_point_in_map,
+AccessPointBins binned(const std::vector<Sample>& samples, const Position& access_point_in_map,
                         std::optional<double> height_m, const BuildingFrame& frame, double bin_m) {
-  HeardAccessPoint heard;
+  AccessPointBins heard;
   heard.position = frame.toBuilding(access_point_in_map);
   heard.height_m = height_m;
   heard.noise_db2 = readingNoise(samples);
@@ -76,7 +76,7 @@ Eigen::ArrayXd spaceDistance(const Eigen::ArrayXd& squares_m2, std::optional<dou
   return (squares_m2.max(kNearest * kNearest) + rise * rise).sqrt();
 }
 
-double logDistance(const HeardAccessPoint& access_point, const Position& place) {
+double logDistance(const AccessPointBins& access_point, const Position& place) {
   const double on_floor = std::max((place - access_point.position).norm(), kNearest);
   const double distance = access_point.height_m
                               ? std::hypot(on_floor, *access_point.height_m - kAntennaHeight)
@@ -84,7 +84,7 @@ double logDistance(const HeardAccessPoint& access_point, const Position& place) 
   return 10.0 * std::log10(distance);
 }
 
-double explainedShare(const std::vector<HeardAccessPoint>& heard,
+double explainedVariance(const std::vector<AccessPointBins>& heard,
                       const std::vector<std::vector<double>>& ray_loss) {
   constexpr std::size_t kFewest = 10;
   double by_distance = 0.0;

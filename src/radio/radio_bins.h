@@ -17,7 +17,7 @@ struct RadioBin {
 };
 
 /// What is heard of one access point, thinned to what inference can tell apart.
-struct HeardAccessPoint {
+struct AccessPointBins {
   Position position = Position::Zero();  ///< [m], building frame
   std::optional<double> height_m;        ///< above the floor
   double noise_db2 = 0.0;                ///< variance of one reading at one place
@@ -35,7 +35,7 @@ struct Sample {
 /// Bins closer than 0.3 m to the access point are left out: there the log-distance law ends. The
 /// noise of a reading is half the mean square of successive differences, each cut at 12 dB.
 /// @param samples  in the order heard
-HeardAccessPoint binned(const std::vector<Sample>& samples, const Position& access_point_in_map,
+AccessPointBins binned(const std::vector<Sample>& samples, const Position& access_point_in_map,
                         std::optional<double> height_m, const BuildingFrame& frame, double bin_m);
 
 /// Variance of one reading at one place [dB2]: half the mean square of successive differences, each
@@ -49,14 +49,14 @@ Eigen::ArrayXd spaceDistance(const Eigen::ArrayXd& squares_m2, std::optional<dou
 
 /// 10 log10 of the distance in space in metres, at least 0.3 m: what the path loss exponent is
 /// multiplied by. The antenna rides 0.6 m above the floor where the access point's height is known.
-double logDistance(const HeardAccessPoint& access_point, const Position& place);
+double logDistance(const AccessPointBins& access_point, const Position& place);
 
 /// How far walls explain what distance does not: one minus the variance of the signals around a
 /// log-distance law with the walls' losses given back, over the variance without; 0 to 1. Its
 /// complement is all that is neither: noise, furniture, a wrong place of an access point.
 /// @param ray_loss  of each bin of each access point [dB]; access points of fewer than ten bins are
 ///                  left out
-double explainedShare(const std::vector<HeardAccessPoint>& heard,
+double explainedVariance(const std::vector<AccessPointBins>& heard,
                       const std::vector<std::vector<double>>& ray_loss);
 
 }  // namespace sfw

@@ -173,7 +173,7 @@ ShadowingWhitener::ShadowingWhitener(const std::vector<Position>& places,
   }
 }
 
-Eigen::VectorXd ShadowingWhitener::whitenedTwice(const Eigen::VectorXd& values) const {
+Eigen::VectorXd ShadowingWhitener::applyPrecision(const Eigen::VectorXd& values) const {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(values.size());
   for (const Row<double>& row : rows_) {
     addWhitenedTwice(row, values.data(), result.data());
@@ -201,17 +201,17 @@ SignalPrecision::SignalPrecision(const std::vector<Position>& places,
     basis.row(i) << model.power_db, model.exponent * loss_db[static_cast<std::size_t>(i)];
   }
   for (Eigen::Index column = 0; column < 2; ++column) {
-    solved_basis_.col(column) = whitener_.whitenedTwice(basis.col(column));
+    solved_basis_.col(column) = whitener_.applyPrecision(basis.col(column));
   }
   capacitance_ = (Eigen::Matrix2d::Identity() + basis.transpose() * solved_basis_).inverse();
 }
 
 Eigen::VectorXd SignalPrecision::times(const Eigen::VectorXd& residual) const {
-  return whitener_.whitenedTwice(residual) -
+  return whitener_.applyPrecision(residual) -
          solved_basis_ * (capacitance_ * (solved_basis_.transpose() * residual));
 }
 
-SinglePrecision::SinglePrecision(const SignalPrecision& exact)
+SignalPrecisionF::SignalPrecisionF(const SignalPrecision& exact)
     : solved_basis_(exact.solved_basis_.cast<float>()),
       capacitance_(exact.capacitance_.cast<float>()) {
   rows_.reserve(exact.whitener_.rows_.size());
@@ -222,7 +222,7 @@ SinglePrecision::SinglePrecision(const SignalPrecision& exact)
   }
 }
 
-void SinglePrecision::times(Eigen::Ref<const Eigen::VectorXf> residual,
+void SignalPrecisionF::times(Eigen::Ref<const Eigen::VectorXf> residual,
                             Eigen::Ref<Eigen::VectorXf> product) const {
   const Eigen::Vector2f common = capacitance_ * (solved_basis_.transpose() * residual);
   product.noalias() = -solved_basis_ * common;

@@ -42,13 +42,13 @@ class ShadowingWhitener {
   Values whitened(const Values& values) const;
 
   /// K^-1 v = L' L v. O(places).
-  Eigen::VectorXd whitenedTwice(const Eigen::VectorXd& values) const;
+  Eigen::VectorXd applyPrecision(const Eigen::VectorXd& values) const;
 
   /// Logarithm of the determinant of L.
   double logDeterminant() const;
 
  private:
-  friend class SinglePrecision;
+  friend class SignalPrecisionF;
 
   /// With 12 the variance of most sums of signals is right within a seventh, and of the worst one
   /// within a half: far less than what is known of shadowing.
@@ -83,7 +83,7 @@ class SignalPrecision {
   Eigen::VectorXd times(const Eigen::VectorXd& residual) const;
 
  private:
-  friend class SinglePrecision;
+  friend class SignalPrecisionF;
 
   ShadowingWhitener whitener_;
   Eigen::MatrixXd solved_basis_;  // K^-1 U, one column for power, one for the exponent
@@ -92,9 +92,9 @@ class SignalPrecision {
 
 /// A SignalPrecision in single precision: its products take half the time, and err by some 1e-6 of
 /// what they are given.
-class SinglePrecision {
+class SignalPrecisionF {
  public:
-  explicit SinglePrecision(const SignalPrecision& exact);
+  explicit SignalPrecisionF(const SignalPrecision& exact);
 
   /// Sets `product` to C^-1 r. O(places).
   void times(Eigen::Ref<const Eigen::VectorXf> residual, Eigen::Ref<Eigen::VectorXf> product) const;

@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint64_t kPlacementStream = 0x706c616365;  // told apart from the radio's streams
 
 /// Centres of the free cells that lie a distance or more from all that is not free.
-std::vector<Position> roomyPlaces(const Plan& plan, double distance_m) {
+std::vector<Position> roomyPlaces(const FloorPlan& plan, double distance_m) {
   const GridGeometry& geometry = plan.geometry;
   Mask obstacles(geometry, 0);
   for (std::size_t i = 0; i < plan.cells.size(); ++i) {
@@ -51,7 +51,7 @@ AccessPoint accessPoint(std::int64_t index, const Position& position) {
   return access_point;
 }
 
-std::vector<Position> wayPoints(const Plan& plan, const ScenarioConfig& config) {
+std::vector<Position> wayPoints(const FloorPlan& plan, const ScenarioConfig& config) {
   const Grid<CellState> states = toStates(plan);
   if (config.path != "walls" && config.path != "sparse") {
     const std::vector<Position> way_points = readWayPoints(config.path);
@@ -74,7 +74,7 @@ Bssid numberedBssid(std::size_t number) {
   return *Bssid::parse(text);
 }
 
-std::vector<AccessPoint> placeAccessPoints(const Plan& plan, std::int64_t count,
+std::vector<AccessPoint> placeAccessPoints(const FloorPlan& plan, std::int64_t count,
                                            std::int64_t seed) {
   constexpr double kFromWalls = 0.3;  // [m]
   constexpr int kCandidates = 20;     // for each: enough to spread, too few to line the walls
@@ -101,7 +101,7 @@ std::vector<AccessPoint> placeAccessPoints(const Plan& plan, std::int64_t count,
   return access_points;
 }
 
-Scenario makeScenario(const Plan& plan, const std::vector<AccessPoint>& access_points,
+Scenario makeScenario(const FloorPlan& plan, const std::vector<AccessPoint>& access_points,
                       const ScenarioConfig& config) {
   return {plan,
           access_points.empty() ? placeAccessPoints(plan, config.access_points, config.seed)

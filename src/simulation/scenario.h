@@ -14,7 +14,7 @@ namespace sfw {
 
 /// A drive through a known building, still to be simulated.
 struct Scenario {
-  Plan plan;
+  FloorPlan plan;
   std::vector<AccessPoint> access_points;
   std::vector<Position> way_points;  ///< [m], map frame
   RecordingConfig recording;
@@ -35,11 +35,11 @@ Bssid numberedBssid(std::size_t number);
 /// Places for access points: free, 0.3 m or more from walls, and far from each other.
 /// @throw InputError if the plan has no such place.
 /// Deterministic; O(cells).
-std::vector<AccessPoint> placeAccessPoints(const Plan& plan, std::int64_t count, std::int64_t seed);
+std::vector<AccessPoint> placeAccessPoints(const FloorPlan& plan, std::int64_t count, std::int64_t seed);
 
 /// Chooses access points (unless `access_points` names them), path and noise.
 /// @throw InputError if the path or an access point does not fit the plan.
-Scenario makeScenario(const Plan& plan, const std::vector<AccessPoint>& access_points,
+Scenario makeScenario(const FloorPlan& plan, const std::vector<AccessPoint>& access_points,
                       const ScenarioConfig& config);
 
 /// Drives it.

@@ -115,7 +115,7 @@ RobotPose SimulatedDrive::reportedPose(double time_s) const {
   return pose;
 }
 
-SimulatedRecording simulateRecording(const Plan& plan, const std::vector<Position>& way_points,
+SimulatedRecording simulateRecording(const FloorPlan& plan, const std::vector<Position>& way_points,
                                      const std::vector<Transmitter>& transmitters,
                                      const RecordingConfig& config) {
   const SimulatedDrive drive(way_points, config);

@@ -103,7 +103,7 @@ struct SimulatedRecording {
 /// @throw InputError naming each setting that is out of range and each access point outside the
 /// plan, or if there are no two different way points.
 /// O(samples x (cells crossed + pieces of furniture)).
-SimulatedRecording simulateRecording(const Plan& plan, const std::vector<Position>& way_points,
+SimulatedRecording simulateRecording(const FloorPlan& plan, const std::vector<Position>& way_points,
                                      const std::vector<Transmitter>& transmitters,
                                      const RecordingConfig& config);
 

@@ -27,10 +27,10 @@ using Vector = Eigen::VectorXf;
 struct Heard {
   Eigen::Index first_ray;
   Eigen::Index rays;
-  SinglePrecision precision;
+  SignalPrecisionF precision;
 };
 
-SinglePrecision precisionOf(const HeardAccessPoint& heard, const ShadowingModel& model) {
+SignalPrecisionF precisionOf(const AccessPointBins& heard, const ShadowingModel& model) {
   std::vector<Position> places;
   std::vector<double> noise;
   std::vector<double> loss;
@@ -39,12 +39,12 @@ SinglePrecision precisionOf(const HeardAccessPoint& heard, const ShadowingModel&
     noise.push_back(heard.noise_db2 / bin.readings);
     loss.push_back(logDistance(heard, bin.place));
   }
-  return SinglePrecision(SignalPrecision(places, noise, loss, model));
+  return SignalPrecisionF(SignalPrecision(places, noise, loss, model));
 }
 
 class Solver {
  public:
-  Solver(const std::vector<LineLattice>& lattices, const std::vector<HeardAccessPoint>& heard,
+  Solver(const std::vector<LineLattice>& lattices, const std::vector<AccessPointBins>& heard,
          const std::vector<Mask>& driven, const LineFieldConfig& config,
          const std::atomic<bool>& stop)
       : config_(config), stop_(stop), lattices_(lattices), rays_(lattices, heard, driven, stop) {
@@ -66,10 +66,10 @@ class Solver {
   }
 
  private:
-  void hear(const std::vector<HeardAccessPoint>& heard) {
+  void hear(const std::vector<AccessPointBins>& heard) {
     unexplained_.resize(static_cast<Eigen::Index>(rays_.size()));
     Eigen::Index ray = 0;
-    for (const HeardAccessPoint& one : heard) {
+    for (const AccessPointBins& one : heard) {
       if (stop_) {
         return;
       }
@@ -204,7 +204,7 @@ class Solver {
 }  // namespace
 
 LineField solveLineField(const std::vector<LineLattice>& lattices,
-                         const std::vector<HeardAccessPoint>& heard,
+                         const std::vector<AccessPointBins>& heard,
                          const std::vector<Mask>& driven, const LineFieldConfig& config,
                          const std::atomic<bool>& stop) {
   return Solver(lattices, heard, driven, config, stop).solve();

@@ -80,7 +80,7 @@ double lossBetween(const LineField& field, const Position& from, const Position&
 /// @param stop      polled; when it turns true the result is incomplete
 /// O(iterations x (bins + crossings of rays with the lattices' lines)).
 LineField solveLineField(const std::vector<LineLattice>& lattices,
-                         const std::vector<HeardAccessPoint>& heard,
+                         const std::vector<AccessPointBins>& heard,
                          const std::vector<Mask>& driven, const LineFieldConfig& config,
                          const std::atomic<bool>& stop);
 

@@ -38,11 +38,11 @@ Eigen::ArrayXf Unknowns::continued() const {
   return continued;
 }
 
-Rays::Rays(const std::vector<LineLattice>& lattices, const std::vector<HeardAccessPoint>& heard,
+Rays::Rays(const std::vector<LineLattice>& lattices, const std::vector<AccessPointBins>& heard,
            const std::vector<Mask>& driven, const std::atomic<bool>& stop)
     : unknowns_(lattices) {
   SparseSums::Choice crossed;  // slots by ray
-  for (const HeardAccessPoint& one : heard) {
+  for (const AccessPointBins& one : heard) {
     for (const RadioBin& bin : one.bins) {
       if (stop) {
         return;

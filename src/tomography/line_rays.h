@@ -76,7 +76,7 @@ class Rays {
  public:
   /// @param driven  for each lattice, the cells where no wall can stand
   /// @param stop    polled; when it turns true there are no unknowns
-  Rays(const std::vector<LineLattice>& lattices, const std::vector<HeardAccessPoint>& heard,
+  Rays(const std::vector<LineLattice>& lattices, const std::vector<AccessPointBins>& heard,
        const std::vector<Mask>& driven, const std::atomic<bool>& stop);
 
   const Unknowns& unknowns() const { return unknowns_; }

@@ -14,11 +14,11 @@ namespace {
 
 /// A robot keeps away from walls: next to its footprint a wall is unlikely, over this distance it
 /// becomes as likely as anywhere [m].
-constexpr double kShyness = 0.2;
+constexpr double kWallClearanceScale = 0.2;
 
 /// Fraction of the whole numbers' reversed digits in a base (van der Corput 1935): shifts that
 /// fill [0, 1) evenly however many there are.
-double evenly(int number, int base) {
+double vanDerCorput(int number, int base) {
   double value = 0.0;
   double digit = 1.0 / base;
   for (; number > 0; number /= base, digit /= base) {
@@ -31,7 +31,7 @@ double evenly(int number, int base) {
 std::vector<LineLattice> latticesOf(int member, const GridGeometry& geometry,
                                     const WallFieldConfig& config) {
   const double resolution = config.line_resolution;
-  const Position offset(evenly(member, 2) * resolution, evenly(member, 3) * resolution);
+  const Position offset(vanDerCorput(member, 2) * resolution, vanDerCorput(member, 3) * resolution);
   std::vector<LineLattice> lattices;
   for (int i = 0; i < config.directions / 2; ++i) {
     LineLattice lattice{geometry, i * M_PI / config.directions};
@@ -50,9 +50,9 @@ std::vector<LineLattice> latticesOf(int member, const GridGeometry& geometry,
 }
 
 /// The bins that a member hears; all if it is the only one.
-std::vector<HeardAccessPoint> heardBy(int member, const std::vector<HeardAccessPoint>& heard,
+std::vector<AccessPointBins> heardBy(int member, const std::vector<AccessPointBins>& heard,
                                       const WallFieldConfig& config) {
-  std::vector<HeardAccessPoint> part = heard;
+  std::vector<AccessPointBins> part = heard;
   if (config.members < 2) {
     return part;
   }
@@ -92,7 +92,7 @@ void addTo(Grid<float>& sum, const LineField& member, float share) {
 void weakenBeside(const Grid<double>& distance, double radius, Grid<float>& strength) {
   for (std::size_t i = 0; i < strength.cells.size(); ++i) {
     const double away = std::max(0.0, distance.cells[i] * strength.geometry.resolution() - radius);
-    const double likely = 1.0 - std::exp(-away / kShyness);
+    const double likely = 1.0 - std::exp(-away / kWallClearanceScale);
     strength.cells[i] *= static_cast<float>(likely * likely);
   }
 }
@@ -107,7 +107,7 @@ double lossBetween(const WallField& field, const Position& from, const Position&
   return sum / static_cast<double>(std::max<std::size_t>(field.members.size(), 1));
 }
 
-WallField estimateWalls(const GridGeometry& geometry, const std::vector<HeardAccessPoint>& heard,
+WallField estimateWalls(const GridGeometry& geometry, const std::vector<AccessPointBins>& heard,
                         const Mask& path, double robot_radius, const WallFieldConfig& config,
                         const std::atomic<bool>& stop) {
   WallField result{{}, Grid<float>(geometry), {}};
@@ -123,7 +123,7 @@ WallField estimateWalls(const GridGeometry& geometry, const std::vector<HeardAcc
     addTo(result.strength, result.members.back(), 1.0F / static_cast<float>(config.members));
   }
   weakenBeside(distance, robot_radius, result.strength);
-  for (const HeardAccessPoint& one : heard) {
+  for (const AccessPointBins& one : heard) {
     result.ray_loss.emplace_back(one.bins.size(), 0.0);
     for (std::size_t i = 0; i < one.bins.size() && !stop; ++i) {
       result.ray_loss.back()[i] = lossBetween(result, one.position, one.bins[i].place);

@@ -42,7 +42,7 @@ double lossBetween(const WallField& field, const Position& from, const Position&
 /// @param robot_radius  [m]; no wall stands closer to the path
 /// @param stop      polled; when it turns true the result is incomplete
 /// Deterministic. Cost: members times that of solveLineField, plus O(cells x members).
-WallField estimateWalls(const GridGeometry& geometry, const std::vector<HeardAccessPoint>& heard,
+WallField estimateWalls(const GridGeometry& geometry, const std::vector<AccessPointBins>& heard,
                         const Mask& path, double robot_radius, const WallFieldConfig& config,
                         const std::atomic<bool>& stop);
 

@@ -144,8 +144,8 @@ BeliefModel::Expert expertFor(DrivingStyle style, const std::vector<TrainingCell
   return expert;
 }
 
-MappedDrive asMapped(const TrainingDrive& drive) {
-  MappedDrive mapped;
+DriveData asMapped(const TrainingDrive& drive) {
+  DriveData mapped;
   std::map<Bssid, std::size_t> index;
   for (const AccessPoint& one : drive.access_points) {
     index[one.bssid] = mapped.heard.size();
@@ -166,7 +166,7 @@ MappedDrive asMapped(const TrainingDrive& drive) {
 TrainingCells cellsOf(const TrainingDrive& drive, const Config& config, std::size_t count,
                       std::int64_t seed) {
   const std::atomic<bool> never{false};
-  const DescribedDrive described = describeDrive(asMapped(drive), config, never);
+  const DriveFeatures described = extractDriveFeatures(asMapped(drive), config, never);
   const GridGeometry& geometry = described.cells.geometry;
   Random random(seed, streamOf(Purpose::kTrainingCells), 0);
   const double share =

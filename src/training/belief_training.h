@@ -18,8 +18,8 @@ struct TrainingCells {
   std::vector<std::uint8_t> free;  ///< 1 if so, for each cell
 };
 
-/// Cells of a drive: about `count` of those that describeCells describes, chosen by the seed.
-/// @throw as describeDrive
+/// Cells of a drive: about `count` of those that extractCellFeatures describes, chosen by the seed.
+/// @throw as extractDriveFeatures
 TrainingCells cellsOf(const TrainingDrive& drive, const Config& config, std::size_t count,
                       std::int64_t seed);
 

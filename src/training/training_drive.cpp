@@ -18,7 +18,7 @@ bool happens(double probability, Random& random) { return random.uniform() <= pr
 
 NoiseLevel chooseLevel(Random& random) {
   const double draw = random.uniform();
-  return draw < 0.1 ? NoiseLevel::kIdeal : draw < 0.8 ? NoiseLevel::kRealistic : NoiseLevel::kHard;
+  return draw < 0.1 ? NoiseLevel::kModerate : draw < 0.8 ? NoiseLevel::kRealistic : NoiseLevel::kHard;
 }
 
 /// Wider than the levels: losses of walls in homes were measured from 1.4 to 8.3 dB, and the first
@@ -28,7 +28,7 @@ void varyRadio(NoiseLevel level, RadioModel::Config& radio, Random& random) {
   radio.outer_wall_loss = radio.interior_wall_loss * random.uniform(1.0, 2.0);
   radio.shadowing = random.uniform(2.0, 6.0);
   radio.shadowing_distance = random.uniform(0.4, 1.6);
-  if (level != NoiseLevel::kIdeal) {
+  if (level != NoiseLevel::kModerate) {
     radio.saturation = random.uniform(8.0, 22.0);
   }
 }
@@ -83,7 +83,7 @@ Grid<CellState> seenFrom(const std::vector<Position>& path, const Grid<CellState
   return truth;
 }
 
-std::optional<TrainingDrive> makeTrainingDrive(const Plan& plan, DrivingStyle style,
+std::optional<TrainingDrive> makeTrainingDrive(const FloorPlan& plan, DrivingStyle style,
                                                std::int64_t seed) {
   Random random(seed, streamOf(Purpose::kTrainingDrive), 0);
   ScenarioConfig config;
@@ -95,11 +95,11 @@ std::optional<TrainingDrive> makeTrainingDrive(const Plan& plan, DrivingStyle st
   const bool strolls = style == DrivingStyle::kStroll;
   const bool covers_all = !happens(strolls ? 0.25 : 0.6, random);
 
-  Plan walls = plan;
+  FloorPlan walls = plan;
   if (happens(strolls ? 0.3 : 0.7, random)) {
     cutOut(walls, random);
   }
-  Plan furnished = walls;
+  FloorPlan furnished = walls;
   const double furnished_share = style == DrivingStyle::kAlongWalls ? 0.7
                                  : style == DrivingStyle::kPatrol   ? 0.5
                                                                     : 0.0;
@@ -111,10 +111,10 @@ std::optional<TrainingDrive> makeTrainingDrive(const Plan& plan, DrivingStyle st
     Scenario scenario = makeScenario(furnished, {}, config);
     if (style == DrivingStyle::kAlongWalls && happens(0.7, random)) {
       scenario.way_points =
-          loosened(scenario.way_points, furnished, config.robot_radius + 0.03, random);
+          withHumanSteering(scenario.way_points, furnished, config.robot_radius + 0.03, random);
     } else if (strolls) {
       const double clearance = config.robot_radius + random.uniform(0.0, 0.6);
-      scenario.way_points = strolling(scenario.way_points, furnished, clearance, random);
+      scenario.way_points = withRandomWalks(scenario.way_points, furnished, clearance, random);
     }
     varyRadio(config.level, scenario.recording.radio, random);
     scenario.plan = walls;  // furniture weakens signals less than walls: the level has its own

@@ -32,7 +32,7 @@ struct TrainingDrive {
 ///
 /// @return nothing if the robot fits nowhere in what is left of the building.
 /// Deterministic.
-std::optional<TrainingDrive> makeTrainingDrive(const Plan& plan, DrivingStyle style,
+std::optional<TrainingDrive> makeTrainingDrive(const FloorPlan& plan, DrivingStyle style,
                                                std::int64_t seed);
 
 /// What a lidar sees on a path: free cells within sight stay free, occupied ones beside them

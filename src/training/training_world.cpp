@@ -23,7 +23,7 @@ void forEachCell(const GridGeometry& geometry, Visitor&& visit) {
 /// Distances to the nearest cell that is not free [m].
 class Clearance {
  public:
-  Clearance(const Plan& plan, double least) : distance_(distanceOf(plan)), least_(least) {}
+  Clearance(const FloorPlan& plan, double least) : distance_(distanceOf(plan)), least_(least) {}
 
   double at(Cell c) const {
     return distance_.geometry.contains(c) ? distance_[c] * distance_.geometry.resolution() : 0.0;
@@ -42,7 +42,7 @@ class Clearance {
     return true;
   }
 
-  static Grid<double> distanceOf(const Plan& plan) {
+  static Grid<double> distanceOf(const FloorPlan& plan) {
     Mask obstacles(plan.geometry);
     for (std::size_t i = 0; i < plan.cells.size(); ++i) {
       obstacles.cells[i] = plan.cells[i] == Material::kFree ? 0 : 1;
@@ -93,7 +93,7 @@ std::vector<Position> smoothed(const std::vector<Position>& way, const Clearance
 
 }  // namespace
 
-void cutOut(Plan& plan, Random& random) {
+void cutOut(FloorPlan& plan, Random& random) {
   constexpr double kWall = 0.2;  // [m]
   const GridGeometry geometry = plan.geometry;
   Box building;
@@ -120,7 +120,7 @@ void cutOut(Plan& plan, Random& random) {
   }
 }
 
-void furnish(Plan& plan, Random& random) {
+void furnish(FloorPlan& plan, Random& random) {
   const GridGeometry geometry = plan.geometry;
   const Clearance clearance(plan, 0.0);
   std::vector<Cell> against_walls;
@@ -153,7 +153,7 @@ void furnish(Plan& plan, Random& random) {
   }
 }
 
-std::vector<Position> loosened(const std::vector<Position>& way, const Plan& plan,
+std::vector<Position> withHumanSteering(const std::vector<Position>& way, const FloorPlan& plan,
                                double clearance_m, Random& random) {
   const Clearance clearance(plan, clearance_m);
   const double displacement = random.uniform(0.1, 0.5);
@@ -179,7 +179,7 @@ std::vector<Position> loosened(const std::vector<Position>& way, const Plan& pla
   return smoothed(smoothed(loose, clearance), clearance);
 }
 
-std::vector<Position> strolling(const std::vector<Position>& way, const Plan& plan,
+std::vector<Position> withRandomWalks(const std::vector<Position>& way, const FloorPlan& plan,
                                 double clearance_m, Random& random) {
   constexpr double kFarthest = 3.0;  // [m] from the way point
   const Clearance clearance(plan, clearance_m);

@@ -173,7 +173,7 @@ TEST(AccessPointEstimation, IsGoodInSimulatedHomes) {
     ScenarioConfig config;
     config.access_points = 2;
     config.seed = static_cast<std::int64_t>(errors.size());
-    const Scenario scenario = makeScenario(readPlan(file), {}, config);
+    const Scenario scenario = makeScenario(readFloorPlan(file), {}, config);
     auto samples = test::samplesByRadio(simulate(scenario).readings);
     for (const AccessPoint& access_point : scenario.access_points) {
       const auto fit = accessPointFit(samples[access_point.bssid], access_point.position);

@@ -43,14 +43,14 @@ CellFeatures oneCell(double explained) {
 
 TEST(CellFeatures, CutExplainedGivesTheCellsOfADriveAtTheLimit) {
   CellFeatures features = oneCell(0.9);
-  cutExplained(0.4, 0.75, features);
+  clampExplainedVariance(0.4, 0.75, features);
   EXPECT_EQ(features.explained, 0.75);
   EXPECT_EQ(features.values, oneCell(0.75).values);
   features = oneCell(0.5);
-  cutExplained(0.4, 0.75, features);
+  clampExplainedVariance(0.4, 0.75, features);
   EXPECT_EQ(features.values, oneCell(0.5).values);
   features = oneCell(0.0);
-  cutExplained(0.5, 0.75, features);
+  clampExplainedVariance(0.5, 0.75, features);
   EXPECT_EQ(features.values, oneCell(0.5).values);
 }
 

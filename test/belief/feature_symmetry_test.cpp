@@ -75,13 +75,13 @@ Picture manyWalls() {
 }
 
 /// An access point that hears along both bands; walls explain a part of its signals.
-HeardAccessPoint slantedRays(const FeatureScene& scene, Cell at, const Move& move,
+AccessPointBins slantedRays(const FeatureScene& scene, Cell at, const Move& move,
                              const std::vector<double>& loss_db) {
   const std::vector<Cell> places{{7, 17},  {8, 17},  {10, 17}, {11, 17}, {13, 16}, {14, 16},
                                  {17, 13}, {16, 12}, {17, 12}, {16, 11}, {17, 11}};
   std::vector<Cell> bins;
   std::transform(places.begin(), places.end(), std::back_inserter(bins), move);
-  HeardAccessPoint access_point = accessPointAt(scene, move(at), bins);
+  AccessPointBins access_point = accessPointAt(scene, move(at), bins);
   for (std::size_t i = 0; i < bins.size(); ++i) {
     RadioBin& bin = access_point.bins[i];
     const double jitter_db = i % 3 == 0 ? 1.0 : 0.0;

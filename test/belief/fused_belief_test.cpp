@@ -19,7 +19,7 @@ namespace {
 
 /// A drive along the walls of a made-up flat.
 struct World {
-  Plan plan;
+  FloorPlan plan;
   std::vector<AccessPoint> access_points;
   std::vector<Reading> readings;
 };
@@ -57,7 +57,7 @@ Evaluation judged(const World& world, const Snapshot& snapshot) {
 }
 
 TEST(Tomography, FindsFreeSpaceAndHearsWallsInAFlat) {
-  const World world = flat(NoiseLevel::kIdeal, 11);
+  const World world = flat(NoiseLevel::kModerate, 11);
   const auto snapshot = mapOf(world);
   const Evaluation evaluation = judged(world, *snapshot);
   EXPECT_GE(evaluation.map.free.precision, 0.9);
@@ -68,7 +68,7 @@ TEST(Tomography, FindsFreeSpaceAndHearsWallsInAFlat) {
 }
 
 TEST(Tomography, HearsNothingInSignalsAtWrongPlaces) {
-  World world = flat(NoiseLevel::kIdeal, 11);
+  World world = flat(NoiseLevel::kModerate, 11);
   const double heard = *judged(world, *mapOf(world)).map.radio->auc_off_path;
   world.readings = withShiftedRadio(world.readings, 4);
   EXPECT_LT(*judged(world, *mapOf(world)).map.radio->auc_off_path, heard - 0.1);
@@ -149,20 +149,20 @@ Reading readingAt(double x, double y, double rssi_dbm, std::int64_t second,
 }
 
 TEST(Tomography, GivesAMostlyUnknownMapOfNothing) {
-  const auto snapshot = mapOf({Plan(GridGeometry(0.1, {0, 0}, 1, 1)), {accessPoint()}, {}});
+  const auto snapshot = mapOf({FloorPlan(GridGeometry(0.1, {0, 0}, 1, 1)), {accessPoint()}, {}});
   expectValid(*snapshot);
 }
 
 TEST(Tomography, GivesAMostlyUnknownMapOfOneReading) {
   const auto snapshot = mapOf(
-      {Plan(GridGeometry(0.1, {0, 0}, 1, 1)), {accessPoint()}, {readingAt(2.0, 2.0, -50.0, 1)}});
+      {FloorPlan(GridGeometry(0.1, {0, 0}, 1, 1)), {accessPoint()}, {readingAt(2.0, 2.0, -50.0, 1)}});
   expectValid(*snapshot);
   EXPECT_EQ(snapshot->belief.state(snapshot->belief.geometry().cellAt({2.0, 2.0})),
             CellState::kFree);
 }
 
 TEST(Tomography, SurvivesAStraightPathWithReadingsAllAlike) {
-  World world{Plan(GridGeometry(0.1, {0, 0}, 1, 1)), {accessPoint()}, {}};
+  World world{FloorPlan(GridGeometry(0.1, {0, 0}, 1, 1)), {accessPoint()}, {}};
   for (int i = 0; i < 60; ++i) {
     world.readings.push_back(readingAt(0.1 * i, 2.0, -50.0, i));
   }
@@ -170,7 +170,7 @@ TEST(Tomography, SurvivesAStraightPathWithReadingsAllAlike) {
 }
 
 TEST(Tomography, MapsThePathWhenNoAccessPointIsKnown) {
-  World world{Plan(GridGeometry(0.1, {0, 0}, 1, 1)), {accessPoint()}, {}};
+  World world{FloorPlan(GridGeometry(0.1, {0, 0}, 1, 1)), {accessPoint()}, {}};
   for (int i = 0; i < 60; ++i) {
     world.readings.push_back(readingAt(0.1 * i, 2.0, -50.0, i, numberedBssid(9)));
   }
@@ -182,7 +182,7 @@ TEST(Tomography, MapsThePathWhenNoAccessPointIsKnown) {
 }
 
 TEST(Tomography, KeepsWhatTheRobotTouchedOccupied) {
-  const World world = flat(NoiseLevel::kIdeal, 11);
+  const World world = flat(NoiseLevel::kModerate, 11);
   Mapper mapper(Config(), world.access_points);
   for (const Reading& reading : world.readings) {
     mapper.insert(reading);
@@ -214,7 +214,7 @@ TEST(ShippedBelief, IsCalibratedOnDrivesThatItWasNotFittedTo) {
     if (!drive) {
       continue;
     }
-    MappedDrive mapped;
+    DriveData mapped;
     for (const AccessPoint& one : drive->access_points) {
       mapped.heard.push_back({one.position, one.height_m, {}});
     }
@@ -226,7 +226,7 @@ TEST(ShippedBelief, IsCalibratedOnDrivesThatItWasNotFittedTo) {
         }
       }
     }
-    const DescribedDrive described = describeDrive(mapped, Config(), never);
+    const DriveFeatures described = extractDriveFeatures(mapped, Config(), never);
     const StyleShares shares = model.shares(described.cells.style);
     const Grid<float> probability = freeProbability(described.cells, model, shares, true);
     for (std::size_t k = 0; k < described.cells.cells.size(); k += 7) {

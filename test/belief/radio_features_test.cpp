@@ -160,7 +160,7 @@ TEST(RadioFeatures, WayAroundIsWhatTheCheapestWayCostsMoreThanTheStraightOne) {
 // ---- Explained: the share of the signals' variance that walls explain ----
 
 /// Signals that obey a log-distance law, less the loss of each ray.
-void sendThrough(const std::vector<double>& loss_db, HeardAccessPoint& access_point) {
+void sendThrough(const std::vector<double>& loss_db, AccessPointBins& access_point) {
   for (std::size_t i = 0; i < access_point.bins.size(); ++i) {
     RadioBin& bin = access_point.bins[i];
     bin.rssi_dbm = -40.0 - 2.0 * logDistance(access_point, bin.place) - loss_db[i];
@@ -189,7 +189,7 @@ FeatureScene halfExplained() {
   loss_db[5] = 9.0;
   scene.access_points = {accessPointAt(scene, {0, 3}, bins)};
   sendThrough(loss_db, scene.access_points.front());
-  HeardAccessPoint far = scene.access_points.front();
+  AccessPointBins far = scene.access_points.front();
   const Position away(100.0, 0.0);
   far.position += away;
   for (RadioBin& bin : far.bins) {

@@ -12,8 +12,8 @@ using Rows = std::vector<std::string>;
 const std::atomic<bool> kNever{false};
 const GridGeometry kSquare(1.0, {0.0, 0.0}, 7, 7);
 
-HeardAccessPoint accessPoint(Cell at, const std::vector<Cell>& bins) {
-  HeardAccessPoint access_point;
+AccessPointBins accessPoint(Cell at, const std::vector<Cell>& bins) {
+  AccessPointBins access_point;
   access_point.position = kSquare.centre(at);
   for (const Cell bin : bins) {
     access_point.bins.push_back({kSquare.centre(bin), -50.0, 1.0});
@@ -68,7 +68,7 @@ TEST(RayEvidence, KeepsTheLeastLossOfAnyRay) {
 }
 
 TEST(RayEvidence, IsOfCellsOnTheGridOnly) {
-  HeardAccessPoint outside = accessPoint({0, 3}, {{6, 3}});
+  AccessPointBins outside = accessPoint({0, 3}, {{6, 3}});
   outside.position.x() -= 5.0;
   outside.bins.front().place.x() += 5.0;
   EXPECT_EQ(picture(rayEvidence(kSquare, {outside}, {{5.0}}, kNever).least_loss)[3], "5555555");

@@ -21,13 +21,13 @@ Mask pathAt(const std::vector<Cell>& cells) {
   return path;
 }
 
-Ways waysOver(const Mask& path, const Grid<float>& strength,
+ShortestPaths waysOver(const Mask& path, const Grid<float>& strength,
               const std::atomic<bool>& stop = kNever) {
-  return waysFrom(path, distanceTransform(path), strength, stop);
+  return shortestPathsFrom(path, distanceTransform(path), strength, stop);
 }
 
 TEST(CheapestWays, AreAsLongAsTheyAreWithoutWalls) {
-  const Ways ways = waysOver(pathAt({{5, 5}}), Grid<float>(kField));
+  const ShortestPaths ways = waysOver(pathAt({{5, 5}}), Grid<float>(kField));
   EXPECT_EQ((ways.cost[{5, 5}]), 0.0F);
   EXPECT_NEAR((ways.cost[{15, 5}]), 1.0, 1e-4);
   EXPECT_NEAR((ways.cost[{15, 15}]), std::sqrt(2.0), 1e-4);
@@ -35,7 +35,7 @@ TEST(CheapestWays, AreAsLongAsTheyAreWithoutWalls) {
 }
 
 TEST(CheapestWays, StartFromTheCheapestCellOfThePath) {
-  const Ways ways = waysOver(pathAt({{5, 5}, {25, 5}}), Grid<float>(kField));
+  const ShortestPaths ways = waysOver(pathAt({{5, 5}, {25, 5}}), Grid<float>(kField));
   EXPECT_EQ((ways.source[{14, 5}]), kField.index({5, 5}));
   EXPECT_EQ((ways.source[{16, 5}]), kField.index({25, 5}));
 }
@@ -45,7 +45,7 @@ TEST(CheapestWays, PayForWallsOrGoRound) {
   for (std::int64_t y = 0; y < 20; ++y) {
     strength[{10, y}] = 4.0F;  // [dB], a cell thick
   }
-  const Ways ways = waysOver(pathAt({{5, 5}}), strength);
+  const ShortestPaths ways = waysOver(pathAt({{5, 5}}), strength);
   EXPECT_NEAR((ways.cost[{15, 5}]), 1.0 + 0.1 * 2.0 * 4.0, 1e-4);
   EXPECT_NEAR((ways.cost[{9, 5}]), 0.4, 1e-4);
   strength[{10, 6}] = 0.0F;  // a gap beside
@@ -54,10 +54,10 @@ TEST(CheapestWays, PayForWallsOrGoRound) {
 }
 
 TEST(CheapestWays, EndWhereNothingIsJudged) {
-  const Ways ways = waysOver(pathAt({{0, 5}}), Grid<float>(kField));
-  const auto last = static_cast<std::int64_t>(std::floor(kFarthestJudged / kField.resolution()));
+  const ShortestPaths ways = waysOver(pathAt({{0, 5}}), Grid<float>(kField));
+  const auto last = static_cast<std::int64_t>(std::floor(kMaxDistanceToPath / kField.resolution()));
   ASSERT_LT(last + 1, kField.width());
-  EXPECT_NEAR((ways.cost[{last, 5}]), kFarthestJudged, 0.1);
+  EXPECT_NEAR((ways.cost[{last, 5}]), kMaxDistanceToPath, 0.1);
   EXPECT_GT((ways.cost[{last + 1, 5}]), 1e5F);
 }
 

@@ -43,7 +43,7 @@ TEST(Controls, WithoutRadioOnlyTheFootprintIsLeftOfWallCounts) {
   config.method = "k_visibility";
   config.inference.footprint_radius = 0.0;  // the cells of the path alone
   EvaluationInput input = rooms();
-  const ControlFigures controls = evaluateControls(input, twoRadios(true), {access_point}, config);
+  const AblationMetrics controls = evaluateControls(input, twoRadios(true), {access_point}, config);
   ASSERT_EQ(controls.shifted_radio.size(), static_cast<std::size_t>(kRadioShifts));
   // Five cells of the row y = 3 out of the room's 25.
   EXPECT_DOUBLE_EQ(controls.no_radio.free.recall, 0.2);
@@ -57,7 +57,7 @@ TEST(Controls, TheyAreTheFiguresOfAMapperThatHeardTheShiftedReadings) {
   const Config config;
   const std::vector<Reading> readings = twoRadios(true);
   EvaluationInput input = rooms();
-  const ControlFigures controls = evaluateControls(input, readings, {access_point}, config);
+  const AblationMetrics controls = evaluateControls(input, readings, {access_point}, config);
   Mapper mapper(config, {access_point});
   for (const Reading& reading : withShiftedRadio(readings, 3)) {
     mapper.insert(reading);

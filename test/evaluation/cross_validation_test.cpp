@@ -46,14 +46,14 @@ struct Hall {
   std::vector<AccessPoint> access_points;
 };
 
-PredictionFigures figuresOf(const Hall& hall) {
+PredictionMetrics figuresOf(const Hall& hall) {
   const auto figures = predictHiddenStretches(hall.readings, hall.access_points, {}, kGoOn);
   EXPECT_TRUE(figures.has_value());
-  return figures.value_or(PredictionFigures());
+  return figures.value_or(PredictionMetrics());
 }
 
 TEST(Prediction, IsExactWhereOnlyDistanceMatters) {
-  const PredictionFigures figures = figuresOf(Hall(0.0, 0.0));
+  const PredictionMetrics figures = figuresOf(Hall(0.0, 0.0));
   EXPECT_GT(figures.bins, 500u);
   EXPECT_LT(figures.distance, 0.2);
   EXPECT_LT(figures.walls, 0.3);
@@ -61,14 +61,14 @@ TEST(Prediction, IsExactWhereOnlyDistanceMatters) {
 }
 
 TEST(Prediction, LearnsOfAWallFromOtherStretches) {
-  const PredictionFigures figures = figuresOf(Hall(9.0, 1.0));
+  const PredictionMetrics figures = figuresOf(Hall(9.0, 1.0));
   EXPECT_GT(figures.distance, 2.0);
   EXPECT_LT(figures.walls, 0.8 * figures.distance);
   EXPECT_LT(figures.walls_shadowed, figures.distance);
 }
 
 TEST(Prediction, NoiseCannotBePredicted) {
-  const PredictionFigures figures = figuresOf(Hall(0.0, 4.0));
+  const PredictionMetrics figures = figuresOf(Hall(0.0, 4.0));
   EXPECT_GT(figures.distance, 2.0);  // two readings a bin
   EXPECT_GT(figures.walls, figures.distance - 0.1);
   EXPECT_LT(figures.walls, figures.distance + 0.4);
@@ -76,7 +76,7 @@ TEST(Prediction, NoiseCannotBePredicted) {
 
 TEST(Prediction, DoesNotDependOnTheOrderOfReadings) {
   Hall hall(9.0, 1.0);
-  const PredictionFigures before = figuresOf(hall);
+  const PredictionMetrics before = figuresOf(hall);
   std::reverse(hall.readings.begin(), hall.readings.end());
   EXPECT_EQ(figuresOf(hall).walls, before.walls);
 }

@@ -101,7 +101,7 @@ TEST(Evaluate, PathOnlyMapIsTheOneJudged) {
   EvaluationInput judged = rooms();
   const Evaluation evaluation = evaluate(judged);
   judged.map = pathOnlyMap(judged);
-  const MapFigures figures = evaluate(judged).map;
+  const MapMetrics figures = evaluate(judged).map;
   EXPECT_EQ(figures.free.precision, evaluation.path_only.free.precision);
   EXPECT_EQ(figures.free.iou, evaluation.path_only.free.iou);
   EXPECT_EQ(figures.leak, evaluation.path_only.leak);

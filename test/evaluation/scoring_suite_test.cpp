@@ -28,7 +28,7 @@ std::vector<std::string> makersOf(const std::vector<BenchmarkFigures>& maps) {
   return makers;
 }
 
-const MapFigures& madeBy(const std::vector<BenchmarkFigures>& maps, const std::string& maker) {
+const MapMetrics& madeBy(const std::vector<BenchmarkFigures>& maps, const std::string& maker) {
   return std::find_if(maps.begin(), maps.end(),
                       [&](const BenchmarkFigures& map) { return map.made_by == maker; })
       ->figures;

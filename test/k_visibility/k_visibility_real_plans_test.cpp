@@ -52,7 +52,7 @@ class RealPlan : public testing::TestWithParam<std::string> {
     if (GetParam().empty()) {
       GTEST_SKIP() << test::kNoFloorPlans;
     }
-    plan_ = toStates(readPlan(GetParam()));
+    plan_ = toStates(readFloorPlan(GetParam()));
   }
 
   std::optional<Grid<CellState>> plan_;

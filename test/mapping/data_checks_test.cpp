@@ -42,18 +42,18 @@ void insert(const std::vector<Reading>& readings, std::size_t from, std::size_t 
 
 Snapshot allJudged(const Mapper& mapper) {
   Snapshot snapshot = *mapper.infer();
-  Judge().judgeAll(mapper, snapshot);
+  DataChecker().checkAll(mapper, snapshot);
   return snapshot;
 }
 
-Snapshot changedJudged(Judge& judge, const Mapper& mapper) {
+Snapshot changedJudged(DataChecker& judge, const Mapper& mapper) {
   const std::atomic<bool> never{false};
   Snapshot snapshot = *mapper.infer();
-  judge.judgeChanged(mapper, snapshot, never);
+  judge.checkChanged(mapper, snapshot, never);
   return snapshot;
 }
 
-TEST(Judge, SuspectsThePositionThatIsWrong) {
+TEST(DataChecker, SuspectsThePositionThatIsWrong) {
   Mapper mapper =
       mapperOf({test::accessPoint(1, kFirst.x(), kFirst.y()), test::accessPoint(2, 2.0, 4.5)});
   const std::vector<Reading> readings = hallDrive();
@@ -66,7 +66,7 @@ TEST(Judge, SuspectsThePositionThatIsWrong) {
   EXPECT_LT((snapshot.access_points[1].fit->estimate.position - kSecond).norm(), 1.0);
 }
 
-TEST(Judge, DoesNotJudgeWhatNobodyGaveOrHeard) {
+TEST(DataChecker, DoesNotJudgeWhatNobodyGaveOrHeard) {
   AccessPoint to_estimate = test::accessPoint(1, 0.0, 0.0);
   to_estimate.position_known = false;
   Mapper mapper = mapperOf({to_estimate, test::accessPoint(9, 1.0, 1.0)});
@@ -79,11 +79,11 @@ TEST(Judge, DoesNotJudgeWhatNobodyGaveOrHeard) {
   EXPECT_FALSE(snapshot.access_points[1].fit);
 }
 
-TEST(Judge, KeepsAFitUntilATenthMoreIsHeard) {
+TEST(DataChecker, KeepsAFitUntilATenthMoreIsHeard) {
   Mapper mapper = mapperOf({test::accessPoint(1, kFirst.x(), kFirst.y())});
   const std::vector<Reading> readings = hallDrive();
   insert(readings, 0, 1000, mapper);
-  Judge judge;
+  DataChecker judge;
   const Snapshot first = changedJudged(judge, mapper);
   ASSERT_TRUE(first.access_points[0].fit);
   EXPECT_EQ(first.access_points[0].fit->estimate.readings, 500U);
@@ -93,22 +93,22 @@ TEST(Judge, KeepsAFitUntilATenthMoreIsHeard) {
   EXPECT_EQ(changedJudged(judge, mapper).access_points[0].fit->estimate.readings, 550U);
 }
 
-TEST(Judge, StartsAnewAfterAReset) {
+TEST(DataChecker, StartsAnewAfterAReset) {
   Mapper mapper = mapperOf({test::accessPoint(1, kFirst.x(), kFirst.y())});
   const std::vector<Reading> readings = hallDrive();
   insert(readings, 0, readings.size(), mapper);
-  Judge judge;
+  DataChecker judge;
   ASSERT_TRUE(changedJudged(judge, mapper).access_points[0].fit);
   mapper.reset();
   EXPECT_FALSE(changedJudged(judge, mapper).access_points[0].fit);
 }
 
-TEST(Judge, JudgesAnewWhatACorrectionMoved) {
+TEST(DataChecker, JudgesAnewWhatACorrectionMoved) {
   const std::vector<Reading> readings = hallDrive();
   const std::vector<AccessPoint> table{test::accessPoint(1, kFirst.x(), kFirst.y())};
   Mapper mapper = mapperOf(table);
   insert(readings, 0, readings.size(), mapper);
-  Judge judge;
+  DataChecker judge;
   const Position before = changedJudged(judge, mapper).access_points[0].fit->estimate.position;
   Mapper moved = mapperOf(table);
   for (Reading reading : readings) {
@@ -120,7 +120,7 @@ TEST(Judge, JudgesAnewWhatACorrectionMoved) {
   EXPECT_NEAR(after.access_points[0].fit->estimate.position.x(), before.x() + 3.0, 0.3);
 }
 
-TEST(Judge, JudgesAFewAtATime) {
+TEST(DataChecker, JudgesAFewAtATime) {
   std::vector<AccessPoint> table;
   std::vector<Reading> readings;
   for (int number = 1; number <= 6; ++number) {
@@ -134,27 +134,27 @@ TEST(Judge, JudgesAFewAtATime) {
   }
   Mapper mapper = mapperOf(table);
   insert(readings, 0, readings.size(), mapper);
-  Judge judge;
+  DataChecker judge;
   const auto judgedIn = [](const Snapshot& snapshot) {
     return std::count_if(snapshot.access_points.begin(), snapshot.access_points.end(),
                          [](const AccessPointSummary& summary) { return bool(summary.fit); });
   };
   const std::atomic<bool> never{false};
   Snapshot snapshot = *mapper.infer();
-  EXPECT_TRUE(judge.judgeChanged(mapper, snapshot, never)) << "some are left";
+  EXPECT_TRUE(judge.checkChanged(mapper, snapshot, never)) << "some are left";
   EXPECT_GT(judgedIn(snapshot), 0);
   EXPECT_LT(judgedIn(snapshot), 6);
-  EXPECT_FALSE(judge.judgeChanged(mapper, snapshot, never));
+  EXPECT_FALSE(judge.checkChanged(mapper, snapshot, never));
   EXPECT_EQ(judgedIn(snapshot), 6);
   EXPECT_EQ(judgedIn(allJudged(mapper)), 6);
 }
 
-TEST(Judge, ForgetsNoneWhenAllAreMovedAgainAndAgain) {
+TEST(DataChecker, ForgetsNoneWhenAllAreMovedAgainAndAgain) {
   std::vector<AccessPoint> table;
   for (int number = 1; number <= 10; ++number) {
     table.push_back(test::accessPoint(number, kFirst.x(), kFirst.y()));
   }
-  Judge judge;
+  DataChecker judge;
   Snapshot snapshot = *mapperOf(table).infer();
   for (int correction = 0; correction < 4; ++correction) {
     Mapper mapper = mapperOf(table);
@@ -174,7 +174,7 @@ TEST(Judge, ForgetsNoneWhenAllAreMovedAgainAndAgain) {
   }
 }
 
-TEST(Judge, NotesDriftInTheReport) {
+TEST(DataChecker, NotesDriftInTheReport) {
   const std::vector<Reading> readings = hallDrive();
   for (const double drift_m : {0.0, 3.0}) {
     Mapper mapper = mapperOf({test::accessPoint(1, kFirst.x(), kFirst.y())});
@@ -194,13 +194,13 @@ TEST(Judge, NotesDriftInTheReport) {
   EXPECT_FALSE(allJudged(once).drift);
 }
 
-TEST(Judge, StopsWhenAsked) {
+TEST(DataChecker, StopsWhenAsked) {
   Mapper mapper = mapperOf({test::accessPoint(1, kFirst.x(), kFirst.y())});
   const std::vector<Reading> readings = hallDrive();
   insert(readings, 0, readings.size(), mapper);
   const std::atomic<bool> stop{true};
   Snapshot snapshot = *mapper.infer();
-  Judge().judgeAll(mapper, snapshot, stop);
+  DataChecker().checkAll(mapper, snapshot, stop);
   EXPECT_FALSE(snapshot.access_points[0].fit);
 }
 

@@ -94,8 +94,8 @@ TEST(Mapper, GrowsByWholeSteps) {
 
 TEST(Mapper, CountsAnUnknownAccessPointsPoseAsPath) {
   Mapper mapper(rawConfig(), {accessPoint(1, 0.5, 0.5)});
-  EXPECT_EQ(mapper.insert(reading(1, 5.05, 5.05, -40, 7)), Insertion::kUnknownAccessPoint);
-  EXPECT_EQ(mapper.insert(reading(2, 5.05, 5.05, -40, 7)), Insertion::kUnknownAccessPoint);
+  EXPECT_EQ(mapper.insert(reading(1, 5.05, 5.05, -40, 7)), InsertResult::kUnknownAccessPoint);
+  EXPECT_EQ(mapper.insert(reading(2, 5.05, 5.05, -40, 7)), InsertResult::kUnknownAccessPoint);
   const auto snapshot = mapper.infer();
   ASSERT_EQ(snapshot->path.size(), 2U);
   EXPECT_EQ(snapshot->path.front().walls, PathPose::kNothingHeard);

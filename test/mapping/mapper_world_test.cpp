@@ -141,7 +141,7 @@ TEST(MapperInAWorld, FindsItsFreeSpaceAndWalls) {
   const auto snapshot = mapOf(same);
   const Evaluation evaluation =
       evaluate({statesOf(snapshot->belief), rooms(), drive(), kAccessPoints, std::nullopt});
-  const MapFigures& figures = evaluation.map;
+  const MapMetrics& figures = evaluation.map;
   // Perfect counts never free a cell of a wall.
   EXPECT_GE(figures.free.precision, 0.995);
   EXPECT_LE(*figures.observed_leak, 0.005);

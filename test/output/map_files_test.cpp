@@ -41,7 +41,7 @@ Snapshot snapshotOf(const Rows& rows) {
   return {beliefOf(rows),
           {{1000000000, {-0.7, 1.7}, 0}, {2000000000, {-0.4, 1.7}, 1}},
           {summaryOf("02:00:00:00:00:01", "router", -0.75, 1.85)},
-          {{{Insertion::kRssiNotFinite, 4}}, {{stranger, 2}}}};
+          {{{InsertResult::kRssiNotFinite, 4}}, {{stranger, 2}}}};
 }
 
 // ---- Rasters ----

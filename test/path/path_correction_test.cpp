@@ -14,7 +14,7 @@ namespace {
 /// A drive as it was, as odometry had it, and as the localisation had it at each time.
 struct Drive {
   std::vector<Position> truth;
-  std::vector<Fix> fixes;
+  std::vector<OdometryCorrection> fixes;
 };
 
 constexpr std::int64_t kStep = 200000000;  // [ns]
@@ -30,7 +30,7 @@ Drive driftingDrive(double stretch, double turn_per_metre, int closure, int step
   Drive drive;
   Position truth(2.0, 1.0), odom = truth;
   double yaw_rad = 0.0, odom_yaw_rad = 0.0;
-  Fix fix;
+  OdometryCorrection fix;
   for (int i = 0; i < steps; ++i) {
     if (i > 0 && i % 50 == 0) {
       yaw_rad += M_PI / 2;
@@ -53,18 +53,18 @@ Drive driftingDrive(double stretch, double turn_per_metre, int closure, int step
   return drive;
 }
 
-PathCorrection correctionOf(const std::vector<Fix>& fixes) {
-  OdometryAnchor anchor;
-  for (const Fix& fix : fixes) {
+PathCorrection correctionOf(const std::vector<OdometryCorrection>& fixes) {
+  PathCorrector anchor;
+  for (const OdometryCorrection& fix : fixes) {
     anchor.insert(fix);
   }
   return anchor.correction();
 }
 
-std::vector<Position> correctedPath(const std::vector<Fix>& fixes) {
+std::vector<Position> correctedPath(const std::vector<OdometryCorrection>& fixes) {
   const PathCorrection correction = correctionOf(fixes);
   std::vector<Position> path;
-  for (const Fix& fix : fixes) {
+  for (const OdometryCorrection& fix : fixes) {
     path.push_back(correction.moved(fix.stamp_ns, fix.antenna_in_map));
   }
   return path;
@@ -79,28 +79,28 @@ double worst(const std::vector<Position>& path, const std::vector<Position>& tru
   return distance;
 }
 
-std::vector<Position> pathOf(const std::vector<Fix>& fixes) {
+std::vector<Position> pathOf(const std::vector<OdometryCorrection>& fixes) {
   std::vector<Position> path;
-  for (const Fix& fix : fixes) {
+  for (const OdometryCorrection& fix : fixes) {
     path.push_back(fix.antenna_in_map);
   }
   return path;
 }
 
-TEST(OdometryAnchor, ALoopClosureTakesTheDriftOffTheWholeWay) {
+TEST(PathCorrector, ALoopClosureTakesTheDriftOffTheWholeWay) {
   const Drive drive = driftingDrive(0.0, 0.005, 599, 600);
   EXPECT_GT(worst(pathOf(drive.fixes), drive.truth), 0.5);
   EXPECT_LT(worst(correctedPath(drive.fixes), drive.truth), 0.03);
 }
 
-TEST(OdometryAnchor, AStretchedWayComesOutRightAtBothEnds) {
+TEST(PathCorrector, AStretchedWayComesOutRightAtBothEnds) {
   // A straight way, on which 4 % too much is 0.2 m at the end.
   const Drive drive = driftingDrive(0.04, 0.0, 49, 50);
   EXPECT_NEAR(worst(pathOf(drive.fixes), drive.truth), 0.19, 0.02);
   EXPECT_LT(worst(correctedPath(drive.fixes), drive.truth), 0.005);
 }
 
-TEST(OdometryAnchor, AfterTheJumpTfIsBelieved) {
+TEST(PathCorrector, AfterTheJumpTfIsBelieved) {
   const Drive drive = driftingDrive(0.0, 0.005, 400, 600);
   const std::vector<Position> path = correctedPath(drive.fixes);
   EXPECT_LT(worst({path.begin(), path.begin() + 400}, drive.truth), 0.03);
@@ -109,7 +109,7 @@ TEST(OdometryAnchor, AfterTheJumpTfIsBelieved) {
   }
 }
 
-TEST(OdometryAnchor, ASecondClosureMovesOnlyTheWaySinceTheFirst) {
+TEST(PathCorrector, ASecondClosureMovesOnlyTheWaySinceTheFirst) {
   Drive drive = driftingDrive(0.0, 0.005, 300, 600);
   const std::vector<Position> before = correctedPath(drive.fixes);
   for (std::size_t i = 590; i < drive.fixes.size(); ++i) {
@@ -124,7 +124,7 @@ TEST(OdometryAnchor, ASecondClosureMovesOnlyTheWaySinceTheFirst) {
   EXPECT_NEAR((after[589] - before[589]).y(), 0.3, 0.01);
 }
 
-TEST(OdometryAnchor, WithoutAJumpNothingMovesByABit) {
+TEST(PathCorrector, WithoutAJumpNothingMovesByABit) {
   Drive drive = driftingDrive(0.01, 0.002, 600, 600);
   for (std::size_t i = 0; i < drive.fixes.size(); ++i) {  // as amcl goes along: steps of 2 cm
     const Position step(0.02 * static_cast<double>(i % 7), -0.01 * static_cast<double>(i % 3));
@@ -137,26 +137,26 @@ TEST(OdometryAnchor, WithoutAJumpNothingMovesByABit) {
   EXPECT_EQ(correctedPath(drive.fixes), pathOf(drive.fixes));
 }
 
-TEST(OdometryAnchor, OrderAndRepetitionDoNotMatter) {
+TEST(PathCorrector, OrderAndRepetitionDoNotMatter) {
   const Drive drive = driftingDrive(0.01, 0.005, 400, 600);
-  std::vector<Fix> shuffled;
+  std::vector<OdometryCorrection> shuffled;
   for (std::size_t i = 0; i < drive.fixes.size(); ++i) {
     shuffled.push_back(drive.fixes[(i * 7) % drive.fixes.size()]);
     shuffled.push_back(drive.fixes[(i * 77) % drive.fixes.size()]);
   }
   const PathCorrection sorted = correctionOf(drive.fixes), mixed = correctionOf(shuffled);
   EXPECT_FALSE(sorted.empty());
-  for (const Fix& fix : drive.fixes) {
+  for (const OdometryCorrection& fix : drive.fixes) {
     EXPECT_EQ(sorted.moved(fix.stamp_ns, fix.antenna_in_map),
               mixed.moved(fix.stamp_ns, fix.antenna_in_map));
   }
 }
 
-TEST(OdometryAnchor, AJumpThatTfInterpolatesIsOneJump) {
+TEST(PathCorrector, AJumpThatTfInterpolatesIsOneJump) {
   const Drive drive = driftingDrive(0.0, 0.005, 500, 501);
-  std::vector<Fix> fixes = drive.fixes;
-  const Fix& later = fixes[500];
-  Fix& between = fixes[499];  // 40 % on the way from one correction to the other
+  std::vector<OdometryCorrection> fixes = drive.fixes;
+  const OdometryCorrection& later = fixes[500];
+  OdometryCorrection& between = fixes[499];  // 40 % on the way from one correction to the other
   const Position odom = between.antenna_in_map;
   between.odom_yaw_rad = 0.4 * later.odom_yaw_rad;
   between.odom_in_map = 0.4 * later.odom_in_map;
@@ -164,7 +164,7 @@ TEST(OdometryAnchor, AJumpThatTfInterpolatesIsOneJump) {
   EXPECT_LT(worst(correctedPath(fixes), drive.truth), 0.03);
 }
 
-TEST(OdometryAnchor, AJumpThereAndBackAtOnceMovesOnlyWhatLiesBetween) {
+TEST(PathCorrector, AJumpThereAndBackAtOnceMovesOnlyWhatLiesBetween) {
   Drive drive = driftingDrive(0.0, 0.0, 0, 100);
   for (std::size_t i = 50; i < 53; ++i) {
     drive.fixes[i].odom_in_map += Position(2.0, 1.0);
@@ -173,8 +173,8 @@ TEST(OdometryAnchor, AJumpThereAndBackAtOnceMovesOnlyWhatLiesBetween) {
   EXPECT_LT(worst(correctedPath(drive.fixes), drive.truth), 1e-9);
 }
 
-TEST(OdometryAnchor, AWrongPoseAtTheStartMovesAllAlike) {
-  std::vector<Fix> fixes;
+TEST(PathCorrector, AWrongPoseAtTheStartMovesAllAlike) {
+  std::vector<OdometryCorrection> fixes;
   for (int i = 0; i < 20; ++i) {  // 1 m driven, then the localisation finds itself 9 m away
     const Position step = i < 19 ? Position(0.0, 0.0) : Position(9.0, 0.0);
     fixes.push_back({(i + 1) * kStep, Position(0.05 * i, 0.0) + step, step, 0.0});
@@ -184,8 +184,8 @@ TEST(OdometryAnchor, AWrongPoseAtTheStartMovesAllAlike) {
   EXPECT_NEAR((path[18] - Position(9.9, 0.0)).norm(), 0.0, 0.01);
 }
 
-TEST(OdometryAnchor, AJumpOfARobotAtRestMovesAllAlike) {
-  const std::vector<Fix> fixes = {{kStep, {1.0, 0.0}, {0.0, 0.0}, 0.0},
+TEST(PathCorrector, AJumpOfARobotAtRestMovesAllAlike) {
+  const std::vector<OdometryCorrection> fixes = {{kStep, {1.0, 0.0}, {0.0, 0.0}, 0.0},
                                   {2 * kStep, {0.0, 3.0}, {0.0, 2.0}, M_PI / 2}};
   const PathCorrection correction = correctionOf(fixes);
   EXPECT_LT((correction.moved(kStep, {1.0, 0.0}) - Position(0.0, 3.0)).norm(), 1e-12);
@@ -195,8 +195,8 @@ TEST(OdometryAnchor, AJumpOfARobotAtRestMovesAllAlike) {
   EXPECT_EQ(correction.moved(3 * kStep, {7.0, 7.0}), Position(7.0, 7.0)) << "a time without fix";
 }
 
-TEST(OdometryAnchor, LeavesOutWhatIsNotFinite) {
-  OdometryAnchor anchor;
+TEST(PathCorrector, LeavesOutWhatIsNotFinite) {
+  PathCorrector anchor;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   anchor.insert({kStep, {nan, 0.0}, {0.0, 0.0}, 0.0});
   anchor.insert({kStep, {0.0, 0.0}, {0.0, nan}, 0.0});
@@ -207,7 +207,7 @@ TEST(OdometryAnchor, LeavesOutWhatIsNotFinite) {
 
 TEST(CorrectedMapper, CountsWhatNoMapCanHold) {
   Mapper driven = test::mapperOf({});
-  OdometryAnchor anchor;
+  PathCorrector anchor;
   for (const Reading& reading : test::drive()) {
     driven.insert(reading);
     anchor.insert({reading.stamp_ns, reading.antenna_in_map, Position::Zero(), 0.0});
@@ -218,13 +218,13 @@ TEST(CorrectedMapper, CountsWhatNoMapCanHold) {
   driven.correct(anchor.correction());
   EXPECT_EQ(driven.readings().size(), 0U);
   EXPECT_EQ(driven.contacts().size(), 0U);
-  EXPECT_EQ(driven.rejections().count.at(Insertion::kPositionTooFar), test::drive().size() + 1);
+  EXPECT_EQ(driven.rejections().count.at(InsertResult::kPositionTooFar), test::drive().size() + 1);
 }
 
 TEST(CorrectedMapper, MovesReadingsAndContactsAndKeepsTheGeometry) {
   Mapper driven = test::mapperOf(test::drive());
   driven.insert(Contact{0, {0.23, 1.02}});
-  OdometryAnchor anchor;
+  PathCorrector anchor;
   for (const Reading& reading : driven.readings()) {
     anchor.insert({reading.stamp_ns, reading.antenna_in_map, Position::Zero(), 0.0});
   }

@@ -162,7 +162,7 @@ TEST(StrayPoses, TakeNoRoomFromThoseThatAreRight) {
     const Position at = i == 10 ? Position(500.0, 0.0) : Position(0.0, 0.5 * i);
     Reading reading = test::reading(0, at.x(), at.y(), -50);
     reading.stamp_ns = i * kSecond;
-    EXPECT_EQ(mapper.insert(reading), Insertion::kAccepted) << i;
+    EXPECT_EQ(mapper.insert(reading), InsertResult::kAccepted) << i;
   }
   EXPECT_EQ(mapper.infer()->path.size(), 399U);
 }

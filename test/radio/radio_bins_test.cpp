@@ -11,12 +11,12 @@ namespace {
 constexpr double kBin = 0.5;
 const Position kAccessPoint(5.0, 5.0);
 
-HeardAccessPoint binnedHere(const std::vector<Sample>& samples) {
+AccessPointBins binnedHere(const std::vector<Sample>& samples) {
   return binned(samples, kAccessPoint, std::nullopt, BuildingFrame(), kBin);
 }
 
 TEST(RadioBins, HoldMeanPlaceMeanSignalAndCount) {
-  const HeardAccessPoint heard =
+  const AccessPointBins heard =
       binnedHere({{{0.1, 0.1}, -50.0}, {{0.3, 0.2}, -53.0}, {{0.2, 0.3}, -56.0}});
   ASSERT_EQ(heard.bins.size(), 1U);
   EXPECT_NEAR(heard.bins[0].place.x(), 0.2, 1e-12);
@@ -27,7 +27,7 @@ TEST(RadioBins, HoldMeanPlaceMeanSignalAndCount) {
 }
 
 TEST(RadioBins, AreInRowMajorOrderOnBothSidesOfTheOrigin) {
-  const HeardAccessPoint heard = binnedHere({{{0.7, 0.7}, -1.0},
+  const AccessPointBins heard = binnedHere({{{0.7, 0.7}, -1.0},
                                              {{0.2, 0.7}, -2.0},
                                              {{0.7, 0.2}, -3.0},
                                              {{0.2, -0.2}, -4.0},
@@ -45,7 +45,7 @@ TEST(RadioBins, LowerEdgesBelongToABin) {
 }
 
 TEST(RadioBins, LeaveOutWhatIsTooNear) {
-  const HeardAccessPoint heard = binnedHere(
+  const AccessPointBins heard = binnedHere(
       {{kAccessPoint + Position(0.29, 0.0), -20.0}, {kAccessPoint + Position(0.0, -0.31), -21.0}});
   ASSERT_EQ(heard.bins.size(), 1U);
   EXPECT_EQ(heard.bins[0].rssi_dbm, -21.0);
@@ -53,7 +53,7 @@ TEST(RadioBins, LeaveOutWhatIsTooNear) {
 
 TEST(RadioBins, NoiseIsThatOfSuccessiveDifferences) {
   // Differences 2, -3 and 30, which counts as 12: (4 + 9 + 144) / 2 / 3.
-  const HeardAccessPoint heard =
+  const AccessPointBins heard =
       binnedHere({{{0, 0}, -50.0}, {{0, 0}, -48.0}, {{0, 0}, -51.0}, {{0, 0}, -81.0}});
   EXPECT_NEAR(heard.noise_db2, 157.0 / 6.0, 1e-12);
 }
@@ -70,10 +70,10 @@ TEST(RadioBins, OrderMattersOnlyToNoise) {
   for (int i = 0; i < 200; ++i) {
     samples.push_back({{0.07 * (i % 31), 0.11 * (i % 17)}, -40.0 - i % 13});
   }
-  const HeardAccessPoint heard = binnedHere(samples);
+  const AccessPointBins heard = binnedHere(samples);
   std::sort(samples.begin(), samples.end(),
             [](const Sample& a, const Sample& b) { return a.rssi_dbm < b.rssi_dbm; });
-  const HeardAccessPoint sorted = binnedHere(samples);
+  const AccessPointBins sorted = binnedHere(samples);
   ASSERT_EQ(sorted.bins.size(), heard.bins.size());
   for (std::size_t i = 0; i < heard.bins.size(); ++i) {
     EXPECT_LT((sorted.bins[i].place - heard.bins[i].place).norm(), 1e-12);
@@ -85,7 +85,7 @@ TEST(RadioBins, OrderMattersOnlyToNoise) {
 
 TEST(RadioBins, LieInTheBuildingFrame) {
   const BuildingFrame frame{0.3, BuildingFrame::Source::kHeadings};
-  const HeardAccessPoint turned =
+  const AccessPointBins turned =
       binned({{frame.toMap({0.2, 0.3}), -50.0}}, frame.toMap(kAccessPoint), 2.0, frame, kBin);
   EXPECT_LT((turned.position - kAccessPoint).norm(), 1e-12);
   ASSERT_EQ(turned.bins.size(), 1U);
@@ -94,7 +94,7 @@ TEST(RadioBins, LieInTheBuildingFrame) {
 }
 
 TEST(LogDistance, IsThatInSpaceAndAtLeastThirtyCentimetres) {
-  HeardAccessPoint heard;
+  AccessPointBins heard;
   EXPECT_NEAR(logDistance(heard, {3.0, 4.0}), 10.0 * std::log10(5.0), 1e-12);
   EXPECT_NEAR(logDistance(heard, {0.0, 0.0}), 10.0 * std::log10(0.3), 1e-12);
   heard.height_m = 2.6;
@@ -102,7 +102,7 @@ TEST(LogDistance, IsThatInSpaceAndAtLeastThirtyCentimetres) {
 }
 
 /// Bins on a straight line that leads away, with a wall of 8 dB after half of them.
-HeardAccessPoint heardThroughAWall(double exponent) {
+AccessPointBins heardThroughAWall(double exponent) {
   std::vector<Sample> samples;
   for (int i = 2; i < 22; ++i) {
     const double distance = 0.5 * i + 0.25;
@@ -113,7 +113,7 @@ HeardAccessPoint heardThroughAWall(double exponent) {
   return binnedHere(samples);
 }
 
-std::vector<double> lossBehind(const HeardAccessPoint& heard, double loss_db) {
+std::vector<double> lossBehind(const AccessPointBins& heard, double loss_db) {
   std::vector<double> losses;
   for (const RadioBin& bin : heard.bins) {
     losses.push_back(bin.place.x() - kAccessPoint.x() < 6.0 ? 0.0 : loss_db);
@@ -122,20 +122,20 @@ std::vector<double> lossBehind(const HeardAccessPoint& heard, double loss_db) {
 }
 
 TEST(ExplainedShare, IsOneWhereWallsExplainAllAndNoneWhereTheyExplainNothing) {
-  const HeardAccessPoint heard = heardThroughAWall(2.0);
-  EXPECT_NEAR(explainedShare({heard}, {lossBehind(heard, 8.0)}), 1.0, 1e-9);
-  EXPECT_EQ(explainedShare({heard}, {lossBehind(heard, 0.0)}), 0.0);
-  EXPECT_EQ(explainedShare({heard}, {lossBehind(heard, -8.0)}), 0.0);  // worse than nothing
-  const double half = explainedShare({heard}, {lossBehind(heard, 4.0)});
+  const AccessPointBins heard = heardThroughAWall(2.0);
+  EXPECT_NEAR(explainedVariance({heard}, {lossBehind(heard, 8.0)}), 1.0, 1e-9);
+  EXPECT_EQ(explainedVariance({heard}, {lossBehind(heard, 0.0)}), 0.0);
+  EXPECT_EQ(explainedVariance({heard}, {lossBehind(heard, -8.0)}), 0.0);  // worse than nothing
+  const double half = explainedVariance({heard}, {lossBehind(heard, 4.0)});
   EXPECT_GT(half, 0.6);
   EXPECT_LT(half, 0.9);
 }
 
 TEST(ExplainedShare, LeavesOutWhatIsHardlyHeard) {
-  HeardAccessPoint heard = heardThroughAWall(2.0);
+  AccessPointBins heard = heardThroughAWall(2.0);
   heard.bins.resize(9);
-  EXPECT_EQ(explainedShare({heard}, {lossBehind(heard, 8.0)}), 0.0);
-  EXPECT_EQ(explainedShare({}, {}), 0.0);
+  EXPECT_EQ(explainedVariance({heard}, {lossBehind(heard, 8.0)}), 0.0);
+  EXPECT_EQ(explainedVariance({}, {}), 0.0);
 }
 
 }  // namespace

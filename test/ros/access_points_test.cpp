@@ -30,7 +30,7 @@ class AccessPointsTest : public NodeletWorld {
     ros::NodeHandle node;
     subscribers_.push_back(node.subscribe<structure_from_wifi::AccessPoints>(
         name_ + "/access_points", 10,
-        [this](const structure_from_wifi::AccessPointsConstPtr& told) { told_ = told; }));
+        [this](const structure_from_wifi::AccessPointsConstPtr& told) { reported_faults_ = told; }));
     subscribers_.push_back(node.subscribe<visualization_msgs::MarkerArray>(
         name_ + "/markers", 10,
         [this](const visualization_msgs::MarkerArrayConstPtr& markers) { markers_ = markers; }));
@@ -74,8 +74,8 @@ class AccessPointsTest : public NodeletWorld {
   }
 
   bool isJudged() {
-    return told_ && told_->access_points.size() == 3U &&
-           std::isfinite(told_->access_points[1].fit_db);
+    return reported_faults_ && reported_faults_->access_points.size() == 3U &&
+           std::isfinite(reported_faults_->access_points[1].fit_db);
   }
 
   /// Of that group and number, or nullptr.
@@ -90,25 +90,25 @@ class AccessPointsTest : public NodeletWorld {
 
   std::vector<ros::Subscriber> subscribers_;
   std::vector<std::string> logged_;
-  structure_from_wifi::AccessPointsConstPtr told_;
+  structure_from_wifi::AccessPointsConstPtr reported_faults_;
   visualization_msgs::MarkerArrayConstPtr markers_;
 };
 
 TEST_F(AccessPointsTest, TellsWhichPositionsAgreeWithWhatWasHeard) {
   drive(kSteps);
   ASSERT_TRUE(spinUntil([&] { return isJudged(); }, 30.0));
-  const structure_from_wifi::AccessPoint& right = told_->access_points[0];
+  const structure_from_wifi::AccessPoint& right = reported_faults_->access_points[0];
   EXPECT_FALSE(right.estimated);
   EXPECT_FALSE(right.suspect);
   EXPECT_LT(right.fit_db, 2.0);
   EXPECT_NEAR(right.seems_to_stand_at.x, 2.0, 0.5);
-  const structure_from_wifi::AccessPoint& wrong = told_->access_points[1];
+  const structure_from_wifi::AccessPoint& wrong = reported_faults_->access_points[1];
   EXPECT_TRUE(wrong.suspect);
   EXPECT_GT(wrong.fit_db, right.fit_db);
   EXPECT_EQ(wrong.position.x, 2.0) << "is used as given all the same";
   EXPECT_NEAR(wrong.seems_to_stand_at.x, 6.0, 0.7);
   EXPECT_NEAR(wrong.seems_to_stand_at.y, 4.5, 0.7);
-  const structure_from_wifi::AccessPoint& lost = told_->access_points[2];
+  const structure_from_wifi::AccessPoint& lost = reported_faults_->access_points[2];
   EXPECT_TRUE(lost.estimated);
   EXPECT_FALSE(lost.suspect);
   EXPECT_TRUE(std::isnan(lost.fit_db));
@@ -125,9 +125,9 @@ TEST_F(AccessPointsTest, WarnsOfAWrongPositionWhileTheRobotDrives) {
   constexpr int kMost = kSteps - 80;
   send(0, kMost);
   ASSERT_TRUE(spinUntil([&] { return warnings(warning) > 0; }, 30.0)) << "nobody saves the map";
-  told_.reset();
+  reported_faults_.reset();
   send(kMost, kSteps);
-  ASSERT_TRUE(spinUntil([&] { return told_ != nullptr; }, 30.0));
+  ASSERT_TRUE(spinUntil([&] { return reported_faults_ != nullptr; }, 30.0));
   EXPECT_EQ(warnings(warning), 1U) << "once is enough";
   EXPECT_EQ(warnings(std::string(kNear) + ": its readings fit a place"), 0U);
 }
@@ -169,11 +169,11 @@ TEST_F(AccessPointsTest, JudgesNothingFromAFewReadings) {
   drive(5);
   ASSERT_TRUE(spinUntil(
       [&] {
-        return told_ && !told_->access_points.empty() && told_->access_points[0].readings &&
+        return reported_faults_ && !reported_faults_->access_points.empty() && reported_faults_->access_points[0].readings &&
                markers_;
       },
       5.0));
-  for (const structure_from_wifi::AccessPoint& access_point : told_->access_points) {
+  for (const structure_from_wifi::AccessPoint& access_point : reported_faults_->access_points) {
     EXPECT_TRUE(std::isnan(access_point.fit_db));
     EXPECT_FALSE(access_point.suspect);
     EXPECT_FALSE(access_point.estimated);

@@ -100,7 +100,7 @@ TEST(Recording, LeavesOutWhatIsNotHeard) {
 
 TEST(Recording, TellsTruePosesAndWallCounts) {
   const RecordingConfig config;
-  const Plan plan = test::dividedHall();
+  const FloorPlan plan = test::dividedHall();
   const SimulatedRecording recording = recordingOf(config);
   const SimulatedDrive drive(kThroughTheWall, config);
   const RadioModel radio(plan, twoTransmitters(), config.radio);
@@ -189,7 +189,7 @@ TEST(Recording, DependsOnItsSeed) {
     }
     return values;
   };
-  for (const auto level : {NoiseLevel::kNone, NoiseLevel::kLow, NoiseLevel::kIdeal,
+  for (const auto level : {NoiseLevel::kNone, NoiseLevel::kLow, NoiseLevel::kModerate,
                            NoiseLevel::kRealistic, NoiseLevel::kHard}) {
     EXPECT_EQ(signals(level, 1), signals(level, 1));
     EXPECT_EQ(signals(level, 1) == signals(level, 2), level == NoiseLevel::kNone);

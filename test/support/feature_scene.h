@@ -24,7 +24,7 @@ struct FeatureScene {
   Picture path;
   double resolution_m = 0.5;
   Picture wall_db = {};  ///< digits: strength of the wall in each cell [dB]
-  std::vector<HeardAccessPoint> access_points = {};
+  std::vector<AccessPointBins> access_points = {};
   std::vector<std::vector<double>> ray_loss_db = {};  ///< of each bin of each access point
   double robot_radius_m = 0.15;
   double max_gap_m = 1.0;
@@ -42,9 +42,9 @@ inline Position centre(const FeatureScene& scene, std::int64_t x, std::int64_t y
 }
 
 /// An access point in the middle of a cell, with a bin in the middle of each of some others.
-inline HeardAccessPoint accessPointAt(const FeatureScene& scene, Cell at,
+inline AccessPointBins accessPointAt(const FeatureScene& scene, Cell at,
                                       const std::vector<Cell>& bins) {
-  HeardAccessPoint access_point;
+  AccessPointBins access_point;
   access_point.position = centre(scene, at.x, at.y);
   for (const Cell bin : bins) {
     access_point.bins.push_back({centre(scene, bin.x, bin.y), -50.0, 1.0});
@@ -84,7 +84,7 @@ inline CellFeatures described(const FeatureScene& scene) {
     });
   }
   const std::atomic<bool> never{false};
-  return describeCells({path, drivenIn(scene), scene.max_gap_m, scene.robot_radius_m},
+  return extractCellFeatures({path, drivenIn(scene), scene.max_gap_m, scene.robot_radius_m},
                        scene.access_points, {{}, strength, scene.ray_loss_db}, never);
 }
 

@@ -32,14 +32,14 @@ class PlanFiles : public ::testing::Test {
 
   static std::string complaint(const std::string& file, const PlanOptions& options = {}) {
     try {
-      readPlan(file, options);
+      readFloorPlan(file, options);
     } catch (const InputError& error) {
       return error.what();
     }
     return "nothing";
   }
 
-  /// What readPlan complains of, with the file's name in front taken off.
+  /// What readFloorPlan complains of, with the file's name in front taken off.
   static std::string complaintOf(const std::string& file, const PlanOptions& options = {}) {
     const std::string text = complaint(file, options);
     EXPECT_EQ(text.rfind(file + ": ", 0), 0u) << text;

@@ -7,12 +7,12 @@
 namespace sfw::test {
 
 /// A hall of 100 x 40 m, in cells of 0.1 m, with nothing in it.
-inline Plan emptyHall() {
-  return Plan(GridGeometry(0.1, Position::Zero(), 1000, 400), Material::kFree);
+inline FloorPlan emptyHall() {
+  return FloorPlan(GridGeometry(0.1, Position::Zero(), 1000, 400), Material::kFree);
 }
 
 /// Builds a wall across a hall.
-inline void buildWall(Plan& plan, double from_x_m, double thickness_m, Material material) {
+inline void buildWall(FloorPlan& plan, double from_x_m, double thickness_m, Material material) {
   const double resolution = plan.geometry.resolution();
   const auto first = static_cast<std::int64_t>(std::lround(from_x_m / resolution));
   const auto cells = static_cast<std::int64_t>(std::lround(thickness_m / resolution));
@@ -25,8 +25,8 @@ inline void buildWall(Plan& plan, double from_x_m, double thickness_m, Material 
 }
 
 /// The hall with an interior wall a metre thick from x = 50 to 51.
-inline Plan dividedHall() {
-  Plan plan = emptyHall();
+inline FloorPlan dividedHall() {
+  FloorPlan plan = emptyHall();
   buildWall(plan, 50.0, 1.0, Material::kInteriorWall);
   return plan;
 }

@@ -33,12 +33,12 @@ inline bool crosses(const StraightWall& wall, Position a, Position b) {
 }
 
 /// What is heard of an access point behind walls, with path loss of exponent 2 from -35 dBm at 1 m.
-inline HeardAccessPoint heardThrough(const std::vector<StraightWall>& walls,
+inline AccessPointBins heardThrough(const std::vector<StraightWall>& walls,
                                      const Position& access_point,
                                      const std::vector<Position>& places,
                                      double saturation_db = std::numeric_limits<double>::infinity(),
                                      double noise_db = 0.0) {
-  HeardAccessPoint heard;
+  AccessPointBins heard;
   heard.position = access_point;
   heard.noise_db2 = 0.09 + noise_db * noise_db;
   Random random(1, 1, static_cast<std::uint64_t>(places.size()));

@@ -90,7 +90,7 @@ LineFieldConfig additive() {
   return config;
 }
 
-LineField solved(const std::vector<HeardAccessPoint>& heard,
+LineField solved(const std::vector<AccessPointBins>& heard,
                  const LineFieldConfig& config = additive(),
                  const std::atomic<bool>& stop = kNever) {
   return solveLineField({{kHall}}, heard, {coveredBy(kHall, places(), 0.2)}, config, stop);
@@ -152,7 +152,7 @@ TEST(LineField, UndoesSaturation) {
   LineFieldConfig config;
   config.iterations = 2000;
   const std::vector<StraightWall> walls{{true, 3.9, 0.0, 6.0, 12.0}};
-  const HeardAccessPoint heard = heardThrough(walls, kLeft, places(), config.saturation_db);
+  const AccessPointBins heard = heardThrough(walls, kLeft, places(), config.saturation_db);
   const double with = lossBetween(solved({heard}, config), {2.3, 3.1}, {5.3, 3.1});
   const double without = lossBetween(solved({heard}), {2.3, 3.1}, {5.3, 3.1});
   EXPECT_NEAR(without, 15.0 * (1.0 - std::exp(-12.0 / 15.0)), 2.0);
@@ -168,7 +168,7 @@ TEST(LineField, StopsWhenAsked) {
 }
 
 TEST(LineField, IsTheSameEachTime) {
-  const HeardAccessPoint heard = heardThrough({kWall}, kLeft, places(), 15.0, 2.0);
+  const AccessPointBins heard = heardThrough({kWall}, kLeft, places(), 15.0, 2.0);
   const LineField first = solved({heard}, LineFieldConfig());
   const LineField again = solved({heard}, LineFieldConfig());
   EXPECT_EQ(first[0].across_x.cells, again[0].across_x.cells);
@@ -176,8 +176,8 @@ TEST(LineField, IsTheSameEachTime) {
 }
 
 TEST(LineField, OrderOfAccessPointsDoesNotMatter) {
-  const HeardAccessPoint left = heardThrough({kWall}, kLeft, places(), 15.0, 2.0);
-  const HeardAccessPoint low = heardThrough({kWall}, kLow, places(), 15.0, 2.0);
+  const AccessPointBins left = heardThrough({kWall}, kLeft, places(), 15.0, 2.0);
+  const AccessPointBins low = heardThrough({kWall}, kLow, places(), 15.0, 2.0);
   const LineField one = solved({left, low}, LineFieldConfig());
   const LineField other = solved({low, left}, LineFieldConfig());
   for (std::size_t i = 0; i < one[0].across_x.cells.size(); ++i) {
@@ -194,7 +194,7 @@ TEST(LineField, ExplainsASlantedWallBetterWithALatticeAlongIt) {
   for (const Position& place : places()) {
     turned.push_back(slant.toLattice(place));
   }
-  HeardAccessPoint heard = heardThrough({wall}, slant.toLattice({1.0, 0.7}), turned);
+  AccessPointBins heard = heardThrough({wall}, slant.toLattice({1.0, 0.7}), turned);
   heard.position = slant.toBuilding(heard.position);
   for (RadioBin& bin : heard.bins) {
     bin.place = slant.toBuilding(bin.place);
@@ -217,10 +217,10 @@ TEST(LineField, ExplainsASlantedWallBetterWithALatticeAlongIt) {
 }
 
 TEST(LineField, NothingHeardIsNoWall) {
-  HeardAccessPoint silent;
+  AccessPointBins silent;
   silent.position = kLeft;
-  for (const std::vector<HeardAccessPoint>& heard :
-       {std::vector<HeardAccessPoint>(), std::vector<HeardAccessPoint>{silent}}) {
+  for (const std::vector<AccessPointBins>& heard :
+       {std::vector<AccessPointBins>(), std::vector<AccessPointBins>{silent}}) {
     EXPECT_EQ(mostOf(solved(heard)[0].across_x), 0.0F);
   }
 }

@@ -53,7 +53,7 @@ TEST(Unknowns, MayBeNone) {
 }
 
 TEST(Rays, CrossWhatStandsBetweenAccessPointAndBins) {
-  HeardAccessPoint heard;
+  AccessPointBins heard;
   heard.position = {0.2, 0.2};
   heard.bins = {{{2.8, 0.3}, -40.0, 1.0}, {{0.8, 0.3}, -40.0, 1.0}};
   Mask driven(kTwo[0].geometry);

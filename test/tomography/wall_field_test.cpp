@@ -24,7 +24,7 @@ constexpr double kRadius = 0.2;
 
 /// What one robot hears, and its path.
 struct World {
-  std::vector<HeardAccessPoint> heard;
+  std::vector<AccessPointBins> heard;
   std::vector<Position> places;
 };
 
@@ -48,7 +48,7 @@ World twoRooms(double noise_db = 0.0) {
 
 template <class Move>
 World moved(World world, Move&& move) {
-  for (HeardAccessPoint& one : world.heard) {
+  for (AccessPointBins& one : world.heard) {
     one.position = move(one.position);
     for (RadioBin& bin : one.bins) {
       bin.place = move(bin.place);
@@ -266,7 +266,7 @@ TEST(WallField, TakesDegenerateInput) {
   const Position inside(0.3, 0.2), outside(60.0, -45.0);
   const std::vector<World> worlds = {
       {{}, {}},
-      {{HeardAccessPoint()}, {}},
+      {{AccessPointBins()}, {}},
       {{heardThrough({}, inside, {{2.0, 1.0}})}, {{2.0, 1.0}}},
       {{heardThrough({}, inside, {inside, inside})}, {inside}},
       {{heardThrough({}, outside, twoRooms().places)}, twoRooms().places},

@@ -23,10 +23,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Plan planOf(const std::string& name) {
+FloorPlan planOf(const std::string& name) {
   constexpr char kGenerated[] = "generated ";
   if (name.rfind(kGenerated, 0) != 0) {
-    return readPlan(name);
+    return readFloorPlan(name);
   }
   // Every third one an office, sizes from small flats to floors.
   PlanGeneratorConfig config;
@@ -58,7 +58,7 @@ Setting settingOf(const BenchRun& run) {
 }
 
 /// Everything that decides what a recording comes to.
-std::string keyOf(const BenchJob& job, const Plan& plan, const Setting& setting) {
+std::string keyOf(const BenchJob& job, const FloorPlan& plan, const Setting& setting) {
   Json key{{"plan", hashOf(plan)},
            {"noise", job.level},
            {"path", std::filesystem::exists(job.path) ? bytesOf(job.path) : job.path},
@@ -72,7 +72,7 @@ std::string keyOf(const BenchJob& job, const Plan& plan, const Setting& setting)
   return key.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string mapsOf(const BenchJob& job, const Plan& plan, const Setting& setting) {
+std::string mapsOf(const BenchJob& job, const FloorPlan& plan, const Setting& setting) {
   ScenarioConfig scenario;
   scenario.level = parseNoiseLevel(job.level);
   scenario.path = job.path;
@@ -81,7 +81,7 @@ std::string mapsOf(const BenchJob& job, const Plan& plan, const Setting& setting
   Json maps = Json::array();
   for (const BenchmarkFigures& map :
        runBenchmark(makeScenario(plan, {}, scenario), setting.methods, setting.config)) {
-    maps.push_back({{"made_by", map.made_by}, {"figures", figuresJson(map.figures)}});
+    maps.push_back({{"made_by", map.made_by}, {"figures", metricsJson(map.figures)}});
   }
   return maps.dump();
 }
@@ -139,7 +139,7 @@ class Bench {
 
   /// @return whether the result was there already
   bool runJob(std::size_t i) {
-    const Plan plan = planOf(jobs_[i].plan);
+    const FloorPlan plan = planOf(jobs_[i].plan);
     const std::string key = keyOf(jobs_[i], plan, setting_);
     std::optional<std::string> maps = store_.find(key);
     const bool at_once = maps.has_value();

@@ -37,7 +37,7 @@ std::uint64_t hashOf(const std::string& bytes, std::uint64_t seed) {
   return seed;
 }
 
-std::uint64_t hashOf(const Plan& plan) {
+std::uint64_t hashOf(const FloorPlan& plan) {
   const GridGeometry& g = plan.geometry;
   const std::array<double, 3> lengths{g.resolution(), g.origin().x(), g.origin().y()};
   const std::array<std::int64_t, 2> sizes{g.width(), g.height()};

@@ -15,7 +15,7 @@ std::string bytesOf(const std::string& file);
 std::uint64_t hashOf(const std::string& bytes, std::uint64_t seed = 0xcbf29ce484222325ULL);
 
 /// Of a plan's cells and geometry, whatever file it came from.
-std::uint64_t hashOf(const Plan& plan);
+std::uint64_t hashOf(const FloorPlan& plan);
 
 /// Of the running program and the core library: another build may come to other figures.
 std::uint64_t hashOfProgram();

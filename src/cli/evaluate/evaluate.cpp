@@ -38,7 +38,7 @@ struct EvaluateOptions {
   bool no_legend = false;
 };
 
-nlohmann::ordered_json toJson(const Evaluation& evaluation, const std::vector<JudgedMap>& beside) {
+nlohmann::ordered_json toJson(const Evaluation& evaluation, const std::vector<ScoredMap>& beside) {
   nlohmann::ordered_json json;
   json["free_m2"] = evaluation.free_m2;
   json["wall_cells"] = evaluation.wall_cells;
@@ -50,25 +50,25 @@ nlohmann::ordered_json toJson(const Evaluation& evaluation, const std::vector<Ju
   if (evaluation.map.probability) {
     json["probability_cells"] = evaluation.map.probability->cells;
   }
-  json["map"] = figuresJson(evaluation.map);
-  for (const JudgedMap& judged : beside) {
-    json["beside"][judged.title] = figuresJson(judged.figures);
+  json["map"] = metricsJson(evaluation.map);
+  for (const ScoredMap& judged : beside) {
+    json["beside"][judged.title] = metricsJson(judged.figures);
   }
-  json["path_only"] = figuresJson(evaluation.path_only);
+  json["path_only"] = metricsJson(evaluation.path_only);
   return json;
 }
 
-nlohmann::ordered_json toJson(const ControlFigures& controls) {
-  nlohmann::ordered_json json{{"no_radio", figuresJson(controls.no_radio)},
+nlohmann::ordered_json toJson(const AblationMetrics& controls) {
+  nlohmann::ordered_json json{{"no_radio", metricsJson(controls.no_radio)},
                               {"shifted_radio", nlohmann::ordered_json::array()}};
-  for (const MapFigures& figures : controls.shifted_radio) {
-    json["shifted_radio"].push_back(figuresJson(figures));
+  for (const MapMetrics& figures : controls.shifted_radio) {
+    json["shifted_radio"].push_back(metricsJson(figures));
   }
   return json;
 }
 
 /// The controls, if asked for: they map the readings again.
-std::optional<ControlFigures> controlsFor(const EvaluateOptions& options,
+std::optional<AblationMetrics> controlsFor(const EvaluateOptions& options,
                                           const EvaluationInput& input,
                                           const std::vector<Reading>& readings) {
   if (!options.controls) {
@@ -82,7 +82,7 @@ std::optional<ControlFigures> controlsFor(const EvaluateOptions& options,
                           config);
 }
 
-nlohmann::ordered_json toJson(const PredictionFigures& figures) {
+nlohmann::ordered_json toJson(const PredictionMetrics& figures) {
   return {{"bins", figures.bins},
           {"distance_db", figures.distance},
           {"walls_db", figures.walls},
@@ -91,7 +91,7 @@ nlohmann::ordered_json toJson(const PredictionFigures& figures) {
 }
 
 /// How well hidden readings can be predicted, if asked for.
-std::optional<PredictionFigures> predictionFor(const EvaluateOptions& options,
+std::optional<PredictionMetrics> predictionFor(const EvaluateOptions& options,
                                                const std::vector<Reading>& readings) {
   if (!options.prediction) {
     return std::nullopt;
@@ -129,12 +129,12 @@ std::vector<Position> heardAccessPoints(const EvaluateOptions& options,
 }
 
 void writePictures(const EvaluateOptions& options, const EvaluationInput& input,
-                   const Evaluation& evaluation, const std::vector<JudgedMap>& beside) {
+                   const Evaluation& evaluation, const std::vector<ScoredMap>& beside) {
   if (!options.picture.empty()) {
     writeAtomically(options.picture, renderComparison(input));
   }
   if (!options.panels.empty()) {
-    std::vector<JudgedMap> shown = beside;
+    std::vector<ScoredMap> shown = beside;
     shown.push_back({options.title, input.map, evaluation.map});
     writeAtomically(options.panels, picturePanels(input, evaluation, shown, !options.no_legend));
   }
@@ -160,17 +160,17 @@ void runEvaluate(const EvaluateOptions& options) {
     input.access_points = heardAccessPoints(options, readings);
   }
   const Evaluation evaluation = evaluate(input);
-  std::vector<JudgedMap> beside;
+  std::vector<ScoredMap> beside;
   for (const std::string& title_and_file : options.beside) {
-    JudgedMap judged = judgeMap(title_and_file, input);
+    ScoredMap judged = judgeMap(title_and_file, input);
     if (std::any_of(beside.begin(), beside.end(),
-                    [&](const JudgedMap& other) { return other.title == judged.title; })) {
+                    [&](const ScoredMap& other) { return other.title == judged.title; })) {
       throw InputError("--beside has the title '" + judged.title + "' twice");
     }
     beside.push_back(std::move(judged));
   }
-  const std::optional<ControlFigures> controls = controlsFor(options, input, readings);
-  const std::optional<PredictionFigures> prediction = predictionFor(options, readings);
+  const std::optional<AblationMetrics> controls = controlsFor(options, input, readings);
+  const std::optional<PredictionMetrics> prediction = predictionFor(options, readings);
   if (options.json) {
     nlohmann::ordered_json json = toJson(evaluation, beside);
     if (controls) {

@@ -27,9 +27,9 @@ struct Column {
   int width = kWidth;
   std::vector<std::optional<double>> values;
 
-  Column(const std::string& of, const MapFigures& figures)
+  Column(const std::string& of, const MapMetrics& figures)
       : title(of), width(std::max(kWidth, static_cast<int>(of.size()) + 2)) {
-    forEachFigure(figures, [&](const char*, const char*, std::optional<double> value) {
+    forEachMetric(figures, [&](const char*, const char*, std::optional<double> value) {
       values.push_back(value);
     });
   }
@@ -38,14 +38,14 @@ struct Column {
 }  // namespace
 
 void printTable(std::ostream& out, const Evaluation& evaluation,
-                const std::vector<JudgedMap>& beside) {
+                const std::vector<ScoredMap>& beside) {
   out << "truth: " << std::fixed << std::setprecision(2) << evaluation.free_m2 << " m2 free, "
       << evaluation.wall_cells << " wall cells";
   if (evaluation.observed_wall_cells) {
     out << ", " << *evaluation.observed_wall_cells << " of them observed";
   }
   std::vector<Column> columns{{"map", evaluation.map}};
-  for (const JudgedMap& judged : beside) {
+  for (const ScoredMap& judged : beside) {
     columns.emplace_back(judged.title, judged.figures);
   }
   columns.emplace_back("path only", evaluation.path_only);
@@ -55,7 +55,7 @@ void printTable(std::ostream& out, const Evaluation& evaluation,
   }
   out << '\n';
   std::size_t row = 0;
-  forEachFigure(evaluation.map, [&](const char*, const char* text, std::optional<double>) {
+  forEachMetric(evaluation.map, [&](const char*, const char* text, std::optional<double>) {
     out << std::left << std::setw(kTextWidth) << text << std::right;
     for (const Column& column : columns) {
       printValue(out, column.values[row], column.width);
@@ -65,22 +65,22 @@ void printTable(std::ostream& out, const Evaluation& evaluation,
   });
 }
 
-void printControls(std::ostream& out, const MapFigures& map, const ControlFigures& controls) {
+void printControls(std::ostream& out, const MapMetrics& map, const AblationMetrics& controls) {
   std::map<std::string, Statistics> shifted;
-  for (const MapFigures& one : controls.shifted_radio) {
-    forEachFigure(one, [&](const char* key, const char*, std::optional<double> value) {
+  for (const MapMetrics& one : controls.shifted_radio) {
+    forEachMetric(one, [&](const char* key, const char*, std::optional<double> value) {
       shifted[key].add(value);
     });
   }
   std::map<std::string, std::optional<double>> silent;
-  forEachFigure(controls.no_radio, [&](const char* key, const char*, std::optional<double> value) {
+  forEachMetric(controls.no_radio, [&](const char* key, const char*, std::optional<double> value) {
     silent[key] = value;
   });
   out << "\n"
       << std::left << std::setw(kTextWidth) << "controls" << std::right << std::setw(kWidth)
       << "map" << std::setw(kWidth) << "no radio"
       << "   shifted radio\n";
-  forEachFigure(map, [&](const char* key, const char* text, std::optional<double> value) {
+  forEachMetric(map, [&](const char* key, const char* text, std::optional<double> value) {
     out << std::left << std::setw(kTextWidth) << text << std::right;
     printValue(out, value);
     printValue(out, silent[key]);
@@ -88,7 +88,7 @@ void printControls(std::ostream& out, const MapFigures& map, const ControlFigure
   });
 }
 
-void printPrediction(std::ostream& out, const PredictionFigures& figures) {
+void printPrediction(std::ostream& out, const PredictionMetrics& figures) {
   const auto print = [&](const char* text, double mean, double shadowed) {
     out << std::left << std::setw(kTextWidth) << text << std::right;
     printValue(out, mean);

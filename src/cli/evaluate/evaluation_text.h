@@ -12,11 +12,11 @@ namespace sfw {
 
 /// The figures of a map, of those beside it and of the path alone, a column each.
 void printTable(std::ostream& out, const Evaluation& evaluation,
-                const std::vector<JudgedMap>& beside);
+                const std::vector<ScoredMap>& beside);
 
 /// The figures of a map beside those of its controls.
-void printControls(std::ostream& out, const MapFigures& map, const ControlFigures& controls);
+void printControls(std::ostream& out, const MapMetrics& map, const AblationMetrics& controls);
 
-void printPrediction(std::ostream& out, const PredictionFigures& figures);
+void printPrediction(std::ostream& out, const PredictionMetrics& figures);
 
 }  // namespace sfw

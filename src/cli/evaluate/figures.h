@@ -19,7 +19,7 @@ std::optional<double> within(const std::optional<Group>& group, Value Group::*va
 
 /// Calls `visit(key, text, value)` for each figure, in the order of the table.
 template <class Visitor>
-void forEachFigure(const MapFigures& m, Visitor&& visit) {
+void forEachMetric(const MapMetrics& m, Visitor&& visit) {
   visit("free_precision", "free: precision", m.free.precision);
   visit("free_precision_tolerant", "free: precision within 0.1 m", m.free.tolerant_precision);
   visit("free_recall", "free: recall", m.free.recall);
@@ -58,9 +58,9 @@ void forEachFigure(const MapFigures& m, Visitor&& visit) {
         within(m.radio, &RadioFigures::wall_f1_four_cells));
 }
 
-inline nlohmann::ordered_json figuresJson(const MapFigures& figures) {
+inline nlohmann::ordered_json metricsJson(const MapMetrics& figures) {
   nlohmann::ordered_json json;
-  forEachFigure(figures, [&](const char* key, const char*, std::optional<double> value) {
+  forEachMetric(figures, [&](const char* key, const char*, std::optional<double> value) {
     json[key] = value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
   });
   return json;

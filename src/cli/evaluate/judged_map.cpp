@@ -11,7 +11,7 @@ namespace sfw {
 namespace {
 
 /// "precision 0.92, IoU 0.79, leak 49 %"
-std::string noteOf(const MapFigures& figures) {
+std::string noteOf(const MapMetrics& figures) {
   char text[80];
   std::snprintf(text, sizeof text, "precision %.2f, IoU %.2f", figures.free.precision,
                 figures.free.iou);
@@ -38,7 +38,7 @@ void readBeside(const std::string& map, std::filesystem::path probability, Evalu
                         : std::nullopt;
 }
 
-JudgedMap judgeMap(const std::string& title_and_file, EvaluationInput input) {
+ScoredMap judgeMap(const std::string& title_and_file, EvaluationInput input) {
   const std::size_t equals = title_and_file.find('=');
   if (equals == std::string::npos || equals == 0) {
     throw InputError("--beside must be TITLE=FILE; it is '" + title_and_file + "'");
@@ -46,14 +46,14 @@ JudgedMap judgeMap(const std::string& title_and_file, EvaluationInput input) {
   const std::string file = title_and_file.substr(equals + 1);
   input.map = readMap(file);
   readBeside(file, {}, input);
-  const MapFigures figures = evaluate(input).map;
+  const MapMetrics figures = evaluate(input).map;
   return {title_and_file.substr(0, equals), std::move(input.map), figures};
 }
 
 std::string picturePanels(const EvaluationInput& input, const Evaluation& evaluation,
-                          const std::vector<JudgedMap>& maps, bool with_legend) {
+                          const std::vector<ScoredMap>& maps, bool with_legend) {
   std::vector<MapPanel> panels;
-  for (const JudgedMap& judged : maps) {
+  for (const ScoredMap& judged : maps) {
     panels.push_back({judged.title, noteOf(judged.figures), judged.map});
   }
   panels.insert(panels.end() - 1,

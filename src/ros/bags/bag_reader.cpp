@@ -65,7 +65,7 @@ BagReading read(const std::string& file, const BagTopics& topics, const Config::
   tf2::BufferCore transforms(ros::Duration(1e9));
   loadTransforms(bag, transforms);
   BagReading reading;
-  OdometryAnchor anchor(jumpTolerance(config));
+  PathCorrector anchor(jumpTolerance(config));
   for (const rosbag::MessageInstance& message : view) {
     for (const Observation& observation : observationsOf(message, topics, reading.malformed)) {
       ++reading.observations;
@@ -76,7 +76,7 @@ BagReading read(const std::string& file, const BagTopics& topics, const Config::
       }
     }
   }
-  if (const std::optional<Fix> latest = latestFix(config, transforms)) {
+  if (const std::optional<OdometryCorrection> latest = latestFix(config, transforms)) {
     anchor.insert(*latest);
   }
   mapper.correct(anchor.correction());

@@ -134,7 +134,7 @@ visualization_msgs::Marker nameMarker(const AccessPointSummary& summary,
 }
 
 bool shareAPlace(const AccessPointSummary& a, const AccessPointSummary& b) {
-  return isPlaced(a) && isPlaced(b) && a.access_point.position == b.access_point.position;
+  return hasPosition(a) && hasPosition(b) && a.access_point.position == b.access_point.position;
 }
 
 /// Which of the radios at one place, which follow each other in the table, its label is of: the
@@ -158,7 +158,7 @@ void addAccessPoints(const Snapshot& snapshot, const std_msgs::Header& header,
   std::vector<visualization_msgs::Marker>& markers = array.markers;
   for (std::size_t i = 0; i < snapshot.access_points.size(); ++i) {
     const AccessPointSummary& summary = snapshot.access_points[i];
-    if (!isPlaced(summary)) {
+    if (!hasPosition(summary)) {
       continue;
     }
     const AccessPoint& access_point = summary.access_point;

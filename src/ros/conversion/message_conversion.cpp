@@ -55,7 +55,7 @@ structure_from_wifi::AccessPoint toMessage(const AccessPointSummary& summary) {
     message.estimated = 1;
     const Eigen::Matrix2d& covariance = summary.estimate->covariance;
     message.covariance = {covariance(0, 0), covariance(0, 1), covariance(1, 0), covariance(1, 1)};
-  } else if (!isPlaced(summary)) {
+  } else if (!hasPosition(summary)) {
     message.position.x = message.position.y = std::numeric_limits<double>::quiet_NaN();
   }
   message.readings = static_cast<std::uint32_t>(summary.readings);

@@ -30,7 +30,7 @@ void MappingNodelet::onInit() {
     mapping_thread_ = std::thread([this] { run(slow_calls_, &MappingNodelet::stepMapping); });
     subscribe();  // last: callbacks may come before onInit returns
     silence_timer_ = getNodeHandle().createSteadyTimer(
-        ros::WallDuration(kWarningPeriod), [this](const ros::SteadyTimerEvent&) { tellSilence(); });
+        ros::WallDuration(kWarningPeriod), [this](const ros::SteadyTimerEvent&) { warnNoInput(); });
   } catch (const std::exception& error) {
     std::istringstream problems(error.what());
     for (std::string problem; std::getline(problems, problem);) {
@@ -90,7 +90,7 @@ void MappingNodelet::receiveScan(const structure_from_wifi::WifiScan& scan) {
   }
   received_ = true;
   if (malformed > 0) {
-    mapper_->leaveOut("bssid or age is malformed, or beyond the 1000th of a scan", malformed);
+    mapper_->recordRejected("bssid or age is malformed, or beyond the 1000th of a scan", malformed);
     NODELET_WARN_STREAM_THROTTLE(kWarningPeriod,
                                  "wifi_scan: " << malformed
                                                << " readings with a malformed bssid or age, or "
@@ -166,7 +166,7 @@ void MappingNodelet::placeObservations() {
 
 void MappingNodelet::warnOfLosses(const ObservationQueue::Outcome& outcome) {
   if (outcome.expired > 0) {
-    mapper_->leaveOut("no transform at their stamp", outcome.expired);
+    mapper_->recordRejected("no transform at their stamp", outcome.expired);
     NODELET_WARN_STREAM_THROTTLE(
         kWarningPeriod, outcome.expired
                             << " readings dropped: no transform from " << config_.ros.antenna_frame
@@ -174,7 +174,7 @@ void MappingNodelet::warnOfLosses(const ObservationQueue::Outcome& outcome) {
                             << config_.ros.transform_timeout << " s; tf says: " << outcome.reason);
   }
   if (outcome.crowded_out > 0) {
-    mapper_->leaveOut("more than ros/max_waiting waited for a transform", outcome.crowded_out);
+    mapper_->recordRejected("more than ros/max_waiting waited for a transform", outcome.crowded_out);
     NODELET_WARN_STREAM_THROTTLE(kWarningPeriod, outcome.crowded_out
                                                      << " readings dropped: more than "
                                                         "ros/max_waiting wait for a transform");
@@ -190,9 +190,9 @@ void MappingNodelet::stepMapping() {
   if (ros::SteadyTime::now() < next_publication_) {
     return;
   }
-  const std::optional<Fix> latest = latestFix(config_.ros, *transforms_);
-  const bool jumped = latest && mapped_by_ &&
-                      OdometryAnchor::isJump(*mapped_by_, *latest, jumpTolerance(config_.ros));
+  const std::optional<OdometryCorrection> latest = latestFix(config_.ros, *transforms_);
+  const bool jumped = latest && last_map_correction_ &&
+                      PathCorrector::isJump(*last_map_correction_, *latest, jumpTolerance(config_.ros));
   if (changed_ || jumped) {
     next_publication_ = ros::SteadyTime::now() + ros::WallDuration(1.0 / config_.ros.publish_rate);
     publishMap(Judging::kWhatChanged);
@@ -201,13 +201,13 @@ void MappingNodelet::stepMapping() {
 
 MappingNodelet::Mapping MappingNodelet::publishMap(Judging judging) {
   changed_ = false;  // before the copy: what comes after it is for the next map
-  mapped_by_ = latestFix(config_.ros, *transforms_);
-  Mapping mapping{mapper_->corrected(mapped_by_), nullptr};
+  last_map_correction_ = latestFix(config_.ros, *transforms_);
+  Mapping mapping{mapper_->corrected(last_map_correction_), nullptr};
   if (const std::shared_ptr<const Snapshot> inferred = mapping.copy.mapper.infer(stop_)) {
     const auto judged = std::make_shared<Snapshot>(*inferred);
     if (judging == Judging::kAll) {
-      judge_.judgeAll(mapping.copy.mapper, *judged, stop_);
-    } else if (judge_.judgeChanged(mapping.copy.mapper, *judged, stop_)) {
+      judge_.checkAll(mapping.copy.mapper, *judged, stop_);
+    } else if (judge_.checkChanged(mapping.copy.mapper, *judged, stop_)) {
       changed_ = true;  // the others are judged at the next refresh, even if nothing more is heard
     }
     mapping.snapshot = stop_ ? nullptr : judged;
@@ -216,24 +216,24 @@ MappingNodelet::Mapping MappingNodelet::publishMap(Judging judging) {
   if (mapping.snapshot && mapping.copy.resets == mapper_->resets()) {
     publishers_->publish(mapping.snapshot);
     if (judging == Judging::kWhatChanged) {  // the others are told with all other notes
-      tellFaults(*mapping.snapshot);
+      reportFaults(*mapping.snapshot);
     }
   }
   return mapping;
 }
 
-void MappingNodelet::tellFaults(const Snapshot& snapshot) {
-  if (forget_told_.exchange(false)) {
-    told_.clear();
+void MappingNodelet::reportFaults(const Snapshot& snapshot) {
+  if (clear_reported_.exchange(false)) {
+    reported_faults_.clear();
   }
   for (const MapNote& note : mapNotes(snapshot)) {
-    if (isFault(note) && told_.emplace(note.kind, note.about).second) {
+    if (isFault(note) && reported_faults_.emplace(note.kind, note.about).second) {
       NODELET_WARN_STREAM(note.text);
     }
   }
 }
 
-void MappingNodelet::tellSilence() {
+void MappingNodelet::warnNoInput() {
   if (ros::Time::isSimTime() && ros::Time::now().isZero()) {
     NODELET_WARN(
         "use_sim_time is set and nobody publishes /clock: play a bag or simulate, or, on a real "

@@ -64,7 +64,7 @@ class MappingNodelet : public nodelet::Nodelet {
   void receiveContactPoints(const sensor_msgs::PointCloud2& cloud);
 
   /// Warns, on a timer, as long as nothing comes.
-  void tellSilence();
+  void warnNoInput();
 
   /// Answers the calls in a queue and takes steps in between until the nodelet ends.
   void run(ros::CallbackQueue& calls, void (MappingNodelet::*step)());
@@ -86,7 +86,7 @@ class MappingNodelet : public nodelet::Nodelet {
   /// Makes a map, judges what it was made from, and publishes it unless a reset came in between.
   Mapping publishMap(Judging judging);
   /// Logs what is wrong with a map, each fault when it is seen first.
-  void tellFaults(const Snapshot& snapshot);
+  void reportFaults(const Snapshot& snapshot);
   bool serveOctomap(bool binary, octomap_msgs::GetOctomap::Response& response);
   bool saveMap(const structure_from_wifi::SaveMap::Request& request,
                structure_from_wifi::SaveMap::Response& response);
@@ -112,12 +112,12 @@ class MappingNodelet : public nodelet::Nodelet {
   std::mutex publishing_;  // held while a map is published; a reset is one step to it
   ros::Time last_now_;
   ros::SteadyTime next_publication_;
-  Judge judge_;                                           // in the mapping thread, as is the next
-  std::set<std::pair<MapNote::Kind, std::string>> told_;  // faults, since the last reset
-  std::atomic<bool> forget_told_{false};
+  DataChecker judge_;                                           // in the mapping thread, as is the next
+  std::set<std::pair<MapNote::Kind, std::string>> reported_faults_;  // faults, since the last reset
+  std::atomic<bool> clear_reported_{false};
   std::atomic<bool> received_{false};  // anything from a radio
   ros::SteadyTimer silence_timer_;
-  std::optional<Fix> mapped_by_;      // the last that tf said when a map was made
+  std::optional<OdometryCorrection> last_map_correction_;      // the last that tf said when a map was made
   std::atomic<bool> changed_{false};  // since the last map was made
   std::atomic<bool> stop_{false};
   std::thread placing_thread_, mapping_thread_;

@@ -70,7 +70,7 @@ bool MappingNodelet::reset(std_srvs::Trigger::Response& response) {
   const std::lock_guard<std::mutex> lock(publishing_);
   mapper_->reset();
   queue_->clear();
-  forget_told_ = true;
+  clear_reported_ = true;
   const std::shared_ptr<const Snapshot> empty = mapper_->corrected({}).mapper.infer(stop_);
   if (empty) {
     publishers_->publish(empty);

@@ -17,7 +17,7 @@ double yawOf(const geometry_msgs::Quaternion& q) {
 }
 
 /// Where antenna and odometry were at a time, if tf knows both.
-std::optional<Fix> fixAt(const ros::Time& stamp, const Config::Ros& config,
+std::optional<OdometryCorrection> fixAt(const ros::Time& stamp, const Config::Ros& config,
                          const tf2::BufferCore& transforms) {
   if (config.odom_frame == config.map_frame || stamp.isZero() ||
       !transforms.canTransform(config.map_frame, config.odom_frame, stamp) ||
@@ -28,7 +28,7 @@ std::optional<Fix> fixAt(const ros::Time& stamp, const Config::Ros& config,
     return transforms.lookupTransform(config.map_frame, frame, stamp).transform;
   };
   const geometry_msgs::Transform map_from_odom = mapFrom(config.odom_frame);
-  return Fix{static_cast<std::int64_t>(stamp.toNSec()),
+  return OdometryCorrection{static_cast<std::int64_t>(stamp.toNSec()),
              toVector(mapFrom(config.antenna_frame).translation).head<2>(),
              toVector(map_from_odom.translation).head<2>(), yawOf(map_from_odom.rotation)};
 }
@@ -67,7 +67,7 @@ std::optional<PlacedObservation> place(const Observation& observation, const Con
   }
 }
 
-std::optional<Fix> latestFix(const Config::Ros& config, const tf2::BufferCore& transforms) {
+std::optional<OdometryCorrection> latestFix(const Config::Ros& config, const tf2::BufferCore& transforms) {
   try {
     if (!transforms.canTransform(config.map_frame, config.antenna_frame, ros::Time())) {
       return std::nullopt;
@@ -81,9 +81,9 @@ std::optional<Fix> latestFix(const Config::Ros& config, const tf2::BufferCore& t
   }
 }
 
-void insert(const PlacedObservation& observation, Mapper& mapper, OdometryAnchor& anchor) {
-  const auto isKept = [](Insertion insertion) {
-    return insertion == Insertion::kAccepted || insertion == Insertion::kUnknownAccessPoint;
+void insert(const PlacedObservation& observation, Mapper& mapper, PathCorrector& anchor) {
+  const auto isKept = [](InsertResult insertion) {
+    return insertion == InsertResult::kAccepted || insertion == InsertResult::kUnknownAccessPoint;
   };
   bool kept = false;
   if (const auto* reading = std::get_if<Reading>(&observation.content)) {
@@ -98,7 +98,7 @@ void insert(const PlacedObservation& observation, Mapper& mapper, OdometryAnchor
   }
 }
 
-OdometryAnchor::Tolerance jumpTolerance(const Config::Ros& config) {
+PathCorrector::Tolerance jumpTolerance(const Config::Ros& config) {
   return {config.jump_distance, config.jump_angle};
 }
 

@@ -22,7 +22,7 @@ namespace sfw {
 /// What was sensed, and where.
 struct PlacedObservation {
   std::variant<Reading, std::vector<Contact>> content;
-  std::optional<Fix> fix;  ///< missing where tf does not know ros/odom_frame
+  std::optional<OdometryCorrection> fix;  ///< missing where tf does not know ros/odom_frame
 };
 
 /// Places an observation where tf says that it was made. Never waits.
@@ -31,12 +31,12 @@ std::optional<PlacedObservation> place(const Observation& observation, const Con
                                        const tf2::BufferCore& transforms, std::string& reason);
 
 /// The last that tf knows of the antenna's place and the odometry's correction.
-std::optional<Fix> latestFix(const Config::Ros& config, const tf2::BufferCore& transforms);
+std::optional<OdometryCorrection> latestFix(const Config::Ros& config, const tf2::BufferCore& transforms);
 
 /// Puts an observation into a mapper; the anchor gets the fix of what the mapper keeps.
-void insert(const PlacedObservation& observation, Mapper& mapper, OdometryAnchor& anchor);
+void insert(const PlacedObservation& observation, Mapper& mapper, PathCorrector& anchor);
 
-OdometryAnchor::Tolerance jumpTolerance(const Config::Ros& config);
+PathCorrector::Tolerance jumpTolerance(const Config::Ros& config);
 
 /// Observations waiting for the transform at their stamp, in order of arrival.
 ///

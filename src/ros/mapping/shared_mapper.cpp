@@ -12,9 +12,9 @@ void SharedMapper::insert(const PlacedObservation& observation) {
   sfw::insert(observation, mapper_, anchor_);
 }
 
-void SharedMapper::leaveOut(const std::string& reason, std::size_t count) {
+void SharedMapper::recordRejected(const std::string& reason, std::size_t count) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  mapper_.leaveOut(reason, count);
+  mapper_.recordRejected(reason, count);
 }
 
 void SharedMapper::reset() {
@@ -24,7 +24,7 @@ void SharedMapper::reset() {
   ++resets_;
 }
 
-std::map<Insertion, std::size_t> SharedMapper::rejectionCounts() const {
+std::map<InsertResult, std::size_t> SharedMapper::rejectionCounts() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return mapper_.rejections().count;
 }
@@ -34,10 +34,10 @@ std::uint64_t SharedMapper::resets() const {
   return resets_;
 }
 
-SharedMapper::Copy SharedMapper::corrected(const std::optional<Fix>& latest) {
+SharedMapper::Copy SharedMapper::corrected(const std::optional<OdometryCorrection>& latest) {
   std::unique_lock<std::mutex> lock(mutex_);
   Copy copy{mapper_, resets_};
-  OdometryAnchor anchor = anchor_;
+  PathCorrector anchor = anchor_;
   lock.unlock();
   // Not kept: it depends on the moment of asking, and the map must not.
   if (latest && anchor.size() > 0) {

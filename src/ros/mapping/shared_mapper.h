@@ -29,11 +29,11 @@ class SharedMapper {
   /// Forgets everything but the geometry.
   void reset();
 
-  /// Notes readings that never got as far as to be placed (Mapper::leaveOut).
-  void leaveOut(const std::string& reason, std::size_t count);
+  /// Notes readings that never got as far as to be placed (Mapper::recordRejected).
+  void recordRejected(const std::string& reason, std::size_t count);
 
   /// What was left out, by reason.
-  std::map<Insertion, std::size_t> rejectionCounts() const;
+  std::map<InsertResult, std::size_t> rejectionCounts() const;
 
   /// A copy to infer from, with everything where it belongs by the last that tf says.
   struct Copy {
@@ -42,14 +42,14 @@ class SharedMapper {
   };
 
   /// The map grows, once and for all, to hold what the correction moved.
-  Copy corrected(const std::optional<Fix>& latest);
+  Copy corrected(const std::optional<OdometryCorrection>& latest);
 
   std::uint64_t resets() const;
 
  private:
   mutable std::mutex mutex_;
   Mapper mapper_;  // everything where tf first saw it
-  OdometryAnchor anchor_;
+  PathCorrector anchor_;
   std::uint64_t resets_ = 0;
 };
 

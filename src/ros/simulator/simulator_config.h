@@ -15,7 +15,7 @@ namespace sfw {
 
 /// Every setting of the simulated robot, with its default. config/simulator.yaml explains each one.
 struct SimulatorConfig {
-  std::string plan;               ///< floor plan: a file as readPlan reads it
+  std::string plan;               ///< floor plan: a file as readFloorPlan reads it
   double resolution = 0.05;       ///< of plans drawn in metres, or made up [m]
   double metres_per_pixel = 0.0;  ///< of a picture; 0: not given
   std::string generate;           ///< instead of a plan: "flat" or "office", made up from the seed

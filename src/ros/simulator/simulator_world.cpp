@@ -11,14 +11,14 @@
 namespace sfw {
 namespace {
 
-Plan planOf(const SimulatorConfig& config) {
+FloorPlan planOf(const SimulatorConfig& config) {
   if (!config.plan.empty()) {
     PlanOptions options;
     options.resolution = config.resolution;
     if (config.metres_per_pixel != 0.0) {
       options.metres_per_pixel = config.metres_per_pixel;
     }
-    return readPlan(config.plan, options);
+    return readFloorPlan(config.plan, options);
   }
   PlanGeneratorConfig building;
   building.kind = parseBuildingKind(config.generate);

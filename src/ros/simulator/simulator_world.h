@@ -10,7 +10,7 @@ namespace sfw {
 
 /// What the simulated robot finds when it is switched on.
 struct SimulatorWorld {
-  Plan plan;
+  FloorPlan plan;
   std::vector<AccessPoint> access_points;
   std::vector<Position> way_points;  ///< [m], map frame; a robot driven by cmd_vel starts at the
                                      ///< first, looking at the second, and leaves out the others

@@ -42,7 +42,7 @@ std::vector<RoomChoice> choicesFor(int depth, bool main_row) {
 std::vector<std::size_t> addRooms(std::size_t corridor, const Rect& rect, Side corridor_side,
                                   bool main_row, FloorLayout& layout) {
   constexpr int kDeepBath = 340;
-  Dice& dice = layout.dice();
+  PortableRandom& dice = layout.dice();
   const bool level = corridor_side == Side::kBottom || corridor_side == Side::kTop;
   const int depth = level ? rect.depth() : rect.width();
   const std::vector<std::size_t> row =
@@ -62,7 +62,7 @@ std::vector<std::size_t> addRooms(std::size_t corridor, const Rect& rect, Side c
 }
 
 /// One wing: rooms on both sides of a hall that ends in a living room as deep as the house.
-struct Bar {
+struct StraightFlat {
   int length, depth;  // inside the outer walls
   int wall;           // of the hall
   int hall_bottom, hall_top;
@@ -70,7 +70,7 @@ struct Bar {
   int notch;   // missing from the lower row at the hall's other end
 };
 
-Bar chooseBar(int area_m2, Dice& dice) {
+StraightFlat chooseBar(int area_m2, PortableRandom& dice) {
   struct Depths {
     int below_m2, least, largest;
   };
@@ -78,7 +78,7 @@ Bar chooseBar(int area_m2, Dice& dice) {
       {45, 480, 560}, {70, 600, 700}, {110, 720, 850}, {170, 850, 1000}, {401, 950, 1100}};
   const Depths& depths = *std::find_if(std::begin(kDepths), std::end(kDepths),
                                        [&](const Depths& d) { return area_m2 < d.below_m2; });
-  Bar bar{};
+  StraightFlat bar{};
   bar.depth = dice.between(depths.least, depths.largest);
   bar.wall = dice.between(15, 20);
   const int hall = area_m2 < 70 ? dice.between(110, 125) : dice.between(125, 150);
@@ -95,10 +95,10 @@ Bar chooseBar(int area_m2, Dice& dice) {
 }
 
 /// Cuts a kitchen off a large living room, clear of where the hall enters.
-void addKitchen(const Bar& bar, std::size_t living, FloorLayout& layout) {
+void addKitchen(const StraightFlat& bar, std::size_t living, FloorLayout& layout) {
   constexpr int kLargeLiving = 26 * kToCm2;
   constexpr int kLeastKitchen = 210;
-  Dice& dice = layout.dice();
+  PortableRandom& dice = layout.dice();
   if (bar.living * bar.depth < kLargeLiving || !dice.chance(65)) {
     return;
   }
@@ -114,8 +114,8 @@ void addKitchen(const Bar& bar, std::size_t living, FloorLayout& layout) {
 }
 
 void drawBar(int area_m2, FloorLayout& layout) {
-  Dice& dice = layout.dice();
-  const Bar bar = chooseBar(area_m2, dice);
+  PortableRandom& dice = layout.dice();
+  const StraightFlat bar = chooseBar(area_m2, dice);
   const int hall_end = bar.length - bar.living - bar.wall;
   layout.addInside({0, bar.hall_bottom, bar.length, bar.depth});
   layout.addInside({bar.notch, 0, bar.length, bar.hall_bottom});
@@ -134,7 +134,7 @@ void drawBar(int area_m2, FloorLayout& layout) {
 }
 
 /// Two wings at a right angle; their halls meet at a living room in the outer corner.
-struct Ell {
+struct LShapedFlat {
   int wall, hall;
   int wing_depth;             // of the first wing, that lies along x
   int hall_bottom, hall_top;  // of its hall
@@ -143,8 +143,8 @@ struct Ell {
   int length, height;         // of both wings together
 };
 
-Ell chooseEll(int area_m2, Dice& dice) {
-  Ell ell{};
+LShapedFlat chooseEll(int area_m2, PortableRandom& dice) {
+  LShapedFlat ell{};
   ell.wall = dice.between(15, 20);
   ell.hall = dice.between(130, 160);
   ell.hall_bottom = dice.between(320, 420) + ell.wall;
@@ -164,8 +164,8 @@ Ell chooseEll(int area_m2, Dice& dice) {
 }
 
 void drawEll(int area_m2, FloorLayout& layout) {
-  Dice& dice = layout.dice();
-  const Ell ell = chooseEll(area_m2, dice);
+  PortableRandom& dice = layout.dice();
+  const LShapedFlat ell = chooseEll(area_m2, dice);
   layout.addInside({0, 0, ell.length, ell.wing_depth});
   layout.addInside({ell.wing_left, ell.wing_depth, ell.length, ell.height});
   // The second hall ends at a room across its wing, or at a window.

@@ -28,7 +28,7 @@ struct Share {
 };
 
 /// Draws one of the choices that the row may still hold; the first if there is none left.
-RoomChoice draw(const std::vector<RoomChoice>& choices, const std::vector<Share>& row, Dice& dice) {
+RoomChoice draw(const std::vector<RoomChoice>& choices, const std::vector<Share>& row, PortableRandom& dice) {
   std::vector<int> weights;
   for (const RoomChoice& choice : choices) {
     const auto used = std::count_if(row.begin(), row.end(), [&](const Share& share) {
@@ -48,7 +48,7 @@ RoomChoice draw(const std::vector<RoomChoice>& choices, const std::vector<Share>
 
 /// Rooms whose widths and walls fill `length` as well as whole rooms can.
 std::vector<Share> fill(int length, int partition, const std::vector<RoomChoice>& choices,
-                        Dice& dice) {
+                        PortableRandom& dice) {
   std::vector<Share> row;
   int used = -partition;
   while (true) {
@@ -98,7 +98,7 @@ void fit(int length, int partition, std::vector<Share>& row) {
 
 }  // namespace
 
-int Dice::between(int low, int high) {
+int PortableRandom::between(int low, int high) {
   if (high <= low) {
     return low;
   }

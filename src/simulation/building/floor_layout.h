@@ -30,9 +30,9 @@ struct LayoutRoom {
 enum class Axis { kX, kY };
 
 /// Whole numbers that are the same on every machine, unlike those of std::uniform_int_distribution.
-class Dice {
+class PortableRandom {
  public:
-  explicit Dice(std::uint64_t seed) : engine_(seed) {}
+  explicit PortableRandom(std::uint64_t seed) : engine_(seed) {}
 
   /// Both ends included; the lower one if they are in wrong order.
   int between(int low, int high);
@@ -58,7 +58,7 @@ struct RoomChoice {
 /// A floor while it is being drawn: its outline, its rooms, and the holes in its walls.
 class FloorLayout {
  public:
-  FloorLayout(Dice& dice, int partition_cm) : dice_(dice), partition_(partition_cm) {}
+  FloorLayout(PortableRandom& dice, int partition_cm) : dice_(dice), partition_(partition_cm) {}
 
   /// Thickness of the walls between rooms of a row [cm].
   int partition() const { return partition_; }
@@ -97,12 +97,12 @@ class FloorLayout {
   const std::vector<LayoutRoom>& rooms() const { return rooms_; }
   const std::vector<Rect>& inside() const { return inside_; }
   const std::vector<Rect>& holes() const { return holes_; }
-  Dice& dice() { return dice_; }
+  PortableRandom& dice() { return dice_; }
 
  private:
   std::vector<std::size_t> reachable() const;
 
-  Dice& dice_;
+  PortableRandom& dice_;
   int partition_;
   std::vector<Rect> inside_;
   std::vector<LayoutRoom> rooms_;

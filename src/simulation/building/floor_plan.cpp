@@ -70,7 +70,7 @@ Mask spaceWithinOuterWalls(const Grid<CellState>& states) {
 
 }  // namespace
 
-Grid<CellState> toStates(const Plan& plan) {
+Grid<CellState> toStates(const FloorPlan& plan) {
   Grid<CellState> states(plan.geometry);
   for (std::size_t i = 0; i < plan.cells.size(); ++i) {
     switch (plan.cells[i]) {
@@ -89,11 +89,11 @@ Grid<CellState> toStates(const Plan& plan) {
   return states;
 }
 
-Plan withMaterials(const Grid<CellState>& states) {
+FloorPlan withMaterials(const Grid<CellState>& states) {
   const Grid<double> to_outside = distanceTransform(outsideOf(states));
   const Mask within = spaceWithinOuterWalls(states);
   const double reach = kThickestOuterWall / states.geometry.resolution();
-  Plan plan(states.geometry);
+  FloorPlan plan(states.geometry);
   Cell c;
   for (c.y = 0; c.y < states.geometry.height(); ++c.y) {
     for (c.x = 0; c.x < states.geometry.width(); ++c.x) {

@@ -10,10 +10,10 @@ namespace sfw {
 enum class Material : std::uint8_t { kUnknown, kFree, kInteriorWall, kOuterWall };
 
 /// A known building, for simulation: one raster with its walls' materials.
-using Plan = Grid<Material>;
+using FloorPlan = Grid<Material>;
 
 /// Both kinds of wall as occupied.
-Grid<CellState> toStates(const Plan& plan);
+Grid<CellState> toStates(const FloorPlan& plan);
 
 /// Tells outer from interior walls.
 ///
@@ -23,6 +23,6 @@ Grid<CellState> toStates(const Plan& plan);
 /// cells: so an interior wall stays interior up to the façade that it meets. Free specks that are
 /// nowhere 0.4 m wide, as scanners leave them behind windows, count as neither.
 /// Good to a cell or two where walls meet and at the tips of corners. Linear in cells.
-Plan withMaterials(const Grid<CellState>& states);
+FloorPlan withMaterials(const Grid<CellState>& states);
 
 }  // namespace sfw

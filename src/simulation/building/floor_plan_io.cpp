@@ -158,7 +158,7 @@ std::vector<std::string> validate(const PlanOptions& options) {
   return problems;
 }
 
-Plan readPlan(const std::string& file, const PlanOptions& options) {
+FloorPlan readFloorPlan(const std::string& file, const PlanOptions& options) {
   std::string problems;
   for (const std::string& problem : validate(options)) {
     problems += (problems.empty() ? "" : "\n") + problem;

@@ -34,6 +34,6 @@ std::vector<std::string> validate(const PlanOptions& options);
 /// @throw InputError naming the file and what is wrong: unreadable, malformed, without free cells,
 /// larger than 64 million cells, or an option out of range or missing.
 /// O(cells + rows and columns crossed by the outline).
-Plan readPlan(const std::string& file, const PlanOptions& options = {});
+FloorPlan readFloorPlan(const std::string& file, const PlanOptions& options = {});
 
 }  // namespace sfw

@@ -11,7 +11,7 @@ namespace sfw {
 /// Whether bytes start as a PNG does.
 bool isPng(std::string_view bytes);
 
-/// Reads a PNG as a plan, one pixel a cell. See readPlan for what pixels mean.
+/// Reads a PNG as a plan, one pixel a cell. See readFloorPlan for what pixels mean.
 /// @throw InputError naming the file if it cannot be decoded, its scale is missing, it has more
 /// than `max_cells` pixels, or white hangs together with the picture's edge everywhere although
 /// that should be outside.

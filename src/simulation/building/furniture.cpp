@@ -16,7 +16,7 @@ double distanceToSegment(const Position& point, const Position& from, const Posi
   return (from + std::clamp(share, 0.0, 1.0) * along - point).norm();
 }
 
-std::vector<Cell> freeCells(const Plan& plan) {
+std::vector<Cell> freeCells(const FloorPlan& plan) {
   std::vector<Cell> cells;
   Cell c;
   for (c.y = 0; c.y < plan.geometry.height(); ++c.y) {
@@ -31,7 +31,7 @@ std::vector<Cell> freeCells(const Plan& plan) {
 
 }  // namespace
 
-std::vector<Furniture> placeFurniture(const Plan& plan, double most_loss_db,
+std::vector<Furniture> placeFurniture(const FloorPlan& plan, double most_loss_db,
                                       double area_per_piece_m2, std::int64_t seed) {
   constexpr double kLeastRadius = 0.2, kMostRadius = 0.5;  // metres: a chair to a wardrobe
   const std::vector<Cell> free = freeCells(plan);

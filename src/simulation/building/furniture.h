@@ -19,7 +19,7 @@ struct Furniture {
 /// One piece for so much free space, in free cells chosen by the seed; radii of 0.2 to 0.5 m and
 /// losses of 0 to `most_loss_db`, all equally likely.
 /// @param area_per_piece_m2  finite and positive
-std::vector<Furniture> placeFurniture(const Plan& plan, double most_loss_db,
+std::vector<Furniture> placeFurniture(const FloorPlan& plan, double most_loss_db,
                                       double area_per_piece_m2, std::int64_t seed);
 
 /// What all pieces on the line between two points take away [dB]. O(pieces).

@@ -27,7 +27,7 @@ std::vector<RoomChoice> coreRow() {
 /// Turns a room into toilets: a lobby at the corridor and two toilets behind it.
 void divideToilets(std::size_t corridor, std::size_t room, Side corridor_side,
                    FloorLayout& layout) {
-  Dice& dice = layout.dice();
+  PortableRandom& dice = layout.dice();
   const std::size_t lobby =
       layout.cutOff(room, corridor_side, dice.between(140, 170), RoomKind::kStorage);
   const bool level = corridor_side == Side::kBottom || corridor_side == Side::kTop;
@@ -45,7 +45,7 @@ void divideToilets(std::size_t corridor, std::size_t room, Side corridor_side,
 void addRooms(std::size_t corridor, const Rect& rect, Side corridor_side,
               const std::vector<RoomChoice>& choices, FloorLayout& layout) {
   constexpr int kDeepToilets = 310;
-  Dice& dice = layout.dice();
+  PortableRandom& dice = layout.dice();
   const std::vector<std::size_t> row = layout.addRow(rect, Axis::kX, choices);
   for (std::size_t i = 0; i < row.size(); ++i) {
     const RoomKind kind = layout.rooms()[row[i]].kind;
@@ -65,7 +65,7 @@ void addRooms(std::size_t corridor, const Rect& rect, Side corridor_side,
 
 /// A reception along one façade and offices behind it.
 void drawSingleRow(int area_m2, FloorLayout& layout) {
-  Dice& dice = layout.dice();
+  PortableRandom& dice = layout.dice();
   const int wall = dice.between(12, 20);
   const int reception = dice.between(170, 240);
   const int offices = dice.between(360, 460);
@@ -78,7 +78,7 @@ void drawSingleRow(int area_m2, FloorLayout& layout) {
 
 /// Offices on both sides of a corridor that ends in a room across the whole wing.
 void drawDoubleRow(int area_m2, FloorLayout& layout) {
-  Dice& dice = layout.dice();
+  PortableRandom& dice = layout.dice();
   const int wall = dice.between(12, 20);
   const int hall_bottom = dice.between(380, 500) + wall;
   const int hall_top = hall_bottom + dice.between(160, 200);
@@ -106,7 +106,7 @@ struct Ring {
   int depth;
 };
 
-Ring chooseRing(Dice& dice) {
+Ring chooseRing(PortableRandom& dice) {
   Ring ring{};
   ring.wall = dice.between(12, 20);
   ring.hall = dice.between(150, 180);
@@ -120,7 +120,7 @@ Ring chooseRing(Dice& dice) {
 
 /// A corridor around a core of rooms without daylight, offices around the corridor.
 void drawRing(int area_m2, FloorLayout& layout) {
-  Dice& dice = layout.dice();
+  PortableRandom& dice = layout.dice();
   const Ring ring = chooseRing(dice);
   const int length = area_m2 * kToCm2 / ring.depth;
   const int end_room = length > 1900 ? dice.between(450, 600) : 0;

@@ -21,7 +21,7 @@ struct Building {
 /// One of the eight ways in which a rectilinear layout can be turned and mirrored.
 class Turn {
  public:
-  explicit Turn(Dice& dice)
+  explicit Turn(PortableRandom& dice)
       : transpose_(dice.chance(50)), mirror_x_(dice.chance(50)), mirror_y_(dice.chance(50)) {}
 
   Rect operator()(const Rect& rect) const {
@@ -35,7 +35,7 @@ class Turn {
 };
 
 Building build(const PlanGeneratorConfig& config) {
-  Dice dice(config.seed);
+  PortableRandom dice(config.seed);
   FloorLayout layout(dice, dice.between(10, 13));
   const int area_m2 = static_cast<int>(std::lround(config.area));
   if (config.kind == BuildingKind::kFlat) {
@@ -92,12 +92,12 @@ Box boxAround(const Building& building, const Eigen::Rotation2Dd& map_from_build
   return {box.min().array() - kMargin, box.max().array() + kMargin};
 }
 
-Plan rasterised(const Building& building, const PlanGeneratorConfig& config,
+FloorPlan rasterised(const Building& building, const PlanGeneratorConfig& config,
                 const Eigen::Rotation2Dd& map_from_building) {
   // Centres of cells may fall on edges of walls; which side they are on must not hang on rounding.
   const Position nudge(1e-6, 1e-6);
   constexpr std::int64_t kMostCells = 64'000'000;
-  Plan plan(GridGeometry::covering(boxAround(building, map_from_building), config.resolution,
+  FloorPlan plan(GridGeometry::covering(boxAround(building, map_from_building), config.resolution,
                                    config.resolution, kMostCells));
   const Eigen::Rotation2Dd building_from_map = map_from_building.inverse();
   Cell c;

@@ -55,7 +55,7 @@ struct GeneratedRoom {
 
 /// A building and what its rooms are for.
 struct GeneratedPlan {
-  Plan plan;
+  FloorPlan plan;
   std::vector<GeneratedRoom> rooms;
 };
 

@@ -81,7 +81,7 @@ Position middleOf(const GridGeometry& geometry, const Contact& contact) {
 
 }  // namespace
 
-std::vector<WallCrossing> wallsBetween(const Plan& plan, const Position& from, const Position& to) {
+std::vector<WallCrossing> wallsBetween(const FloorPlan& plan, const Position& from, const Position& to) {
   std::vector<WallCrossing> walls;
   for (const Run& run : runsBetween(plan, from, to)) {
     const Position middle =
@@ -92,7 +92,7 @@ std::vector<WallCrossing> wallsBetween(const Plan& plan, const Position& from, c
   return walls;
 }
 
-int countWalls(const Plan& plan, const Position& from, const Position& to) {
+int countWalls(const FloorPlan& plan, const Position& from, const Position& to) {
   return static_cast<int>(runsBetween(plan, from, to).size());
 }
 

@@ -10,7 +10,7 @@
 namespace sfw {
 namespace {
 
-constexpr std::array<NoiseLevel, 5> kLevels{NoiseLevel::kNone, NoiseLevel::kLow, NoiseLevel::kIdeal,
+constexpr std::array<NoiseLevel, 5> kLevels{NoiseLevel::kNone, NoiseLevel::kLow, NoiseLevel::kModerate,
                                             NoiseLevel::kRealistic, NoiseLevel::kHard};
 
 /// What each recording draws anew on the levels that imitate real homes.
@@ -76,7 +76,7 @@ const char* nameOf(NoiseLevel level) {
       return "none";
     case NoiseLevel::kLow:
       return "low";
-    case NoiseLevel::kIdeal:
+    case NoiseLevel::kModerate:
       return "ideal";
     case NoiseLevel::kRealistic:
       return "realistic";
@@ -103,7 +103,7 @@ RadioModel::Config levelRadio(NoiseLevel level, std::int64_t seed) {
     case NoiseLevel::kLow:
       setNoise(radio, 1.0, 1.0, 0.5);
       break;
-    case NoiseLevel::kIdeal:
+    case NoiseLevel::kModerate:
       setNoise(radio, 2.5, 2.0, 1.0);
       break;
     case NoiseLevel::kRealistic:

@@ -23,7 +23,7 @@ namespace sfw {
 /// robot, and furniture of 0 to 5 dB, a piece in each 9 m2. Outer walls lose and vary twice as much
 /// as interior ones on every level. Signals come in steps of 1 dB except with `none`, where they
 /// are not rounded.
-enum class NoiseLevel : std::uint8_t { kNone, kLow, kIdeal, kRealistic, kHard };
+enum class NoiseLevel : std::uint8_t { kNone, kLow, kModerate, kRealistic, kHard };
 
 /// @param name  as in the table
 /// @throw InputError naming the text and all levels.

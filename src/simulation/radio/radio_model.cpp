@@ -26,7 +26,7 @@ std::string outsideText(const AccessPoint& access_point) {
 }
 
 /// @throw InputError
-void requireUsable(const Plan& plan, const std::vector<Transmitter>& transmitters,
+void requireUsable(const FloorPlan& plan, const std::vector<Transmitter>& transmitters,
                    const RadioModel::Config& config) {
   std::vector<std::string> problems = validate(config);
   for (const Transmitter& transmitter : transmitters) {
@@ -79,7 +79,7 @@ double RadioModel::AntennaPattern::gain(double bearing_rad) const {
          (std::cos(bearing_rad + first_phase_rad) + std::cos(2.0 * bearing_rad + second_phase_rad));
 }
 
-RadioModel::RadioModel(const Plan& plan, const std::vector<Transmitter>& transmitters,
+RadioModel::RadioModel(const FloorPlan& plan, const std::vector<Transmitter>& transmitters,
                        const Config& config)
     : plan_((requireUsable(plan, transmitters, config), plan)),
       transmitters_(transmitters),

@@ -85,7 +85,7 @@ class RadioModel {
 
   /// @throw InputError naming every setting of `config` that is out of range and every access point
   /// outside the plan.
-  RadioModel(const Plan& plan, const std::vector<Transmitter>& transmitters, const Config& config);
+  RadioModel(const FloorPlan& plan, const std::vector<Transmitter>& transmitters, const Config& config);
 
   const std::vector<Transmitter>& transmitters() const { return transmitters_; }
   const std::vector<Furniture>& furniture() const { return furniture_; }
@@ -120,7 +120,7 @@ class RadioModel {
 
   double wallLoss(const WallCrossing& wall, Band band) const;
 
-  Plan plan_;
+  FloorPlan plan_;
   std::vector<Transmitter> transmitters_;
   Config config_;
   std::vector<Furniture> furniture_;

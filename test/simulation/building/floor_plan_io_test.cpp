@@ -23,7 +23,7 @@ class PlanIo : public test::PlanFiles {
 };
 
 /// 'O' outer wall, 'I' interior wall; without the margin of unknown cells.
-Rows pictureOf(const Plan& plan) {
+Rows pictureOf(const FloorPlan& plan) {
   Rows rows =
       test::rowsOf(plan, [](Material material) { return "?.IO"[static_cast<int>(material)]; });
   const auto is_empty = [](const std::string& row) {
@@ -51,7 +51,7 @@ PlanOptions coarse() {
 // ---- HouseExpo ----
 
 TEST_F(PlanIo, HouseExpoOutlineBecomesFloorWithinWalls) {
-  const Plan plan = readPlan(house("[[0.1,0.1],[1.1,0.1],[1.1,0.6],[0.1,0.6]]"), coarse());
+  const FloorPlan plan = readFloorPlan(house("[[0.1,0.1],[1.1,0.1],[1.1,0.6],[0.1,0.6]]"), coarse());
   EXPECT_EQ(pictureOf(plan), (Rows{"OOOOOOOOOOOO",  //
                                    "O..........O",  //
                                    "O..........O",  //
@@ -70,8 +70,8 @@ TEST_F(PlanIo, HouseExpoOutlineBecomesFloorWithinWalls) {
 
 TEST_F(PlanIo, SlitsAreWallAllThrough) {
   // A wall of 0.4 m from the top, with the floor below it.
-  const Plan plan =
-      readPlan(house("[[0,0],[2.4,0],[2.4,1],[1.4,1],[1.4,0.6],[1,0.6],[1,1],[0,1]]"), coarse());
+  const FloorPlan plan =
+      readFloorPlan(house("[[0,0],[2.4,0],[2.4,1],[1.4,1],[1.4,0.6],[1,0.6],[1,1],[0,1]]"), coarse());
   const Rows rows = test::rowsOf(toStates(plan));
   EXPECT_NE(rows[7].find("?#..........####..........#?"), std::string::npos) << rows[7];
   EXPECT_NE(rows[9].find("?#..........####..........#?"), std::string::npos) << rows[9];
@@ -81,16 +81,16 @@ TEST_F(PlanIo, SlitsAreWallAllThrough) {
 TEST_F(PlanIo, WallsTooThinForACentreAreKept) {
   // Slits of 2 cm and of nothing at all, upright and level.
   const std::string upright = "[[0,0],[2,0],[2,1],[0.99,1],[0.99,0.3],[0.97,0.3],[0.97,1],[0,1]]";
-  EXPECT_EQ(pictureOf(readPlan(house(upright), coarse()))[3], "O.........I..........O");
+  EXPECT_EQ(pictureOf(readFloorPlan(house(upright), coarse()))[3], "O.........I..........O");
   const std::string line = "[[0,0],[2,0],[2,1],[1.03,1],[1.03,0.3],[1.03,1],[0,1]]";
-  EXPECT_EQ(pictureOf(readPlan(house(line), coarse()))[3], "O..........I.........O");
+  EXPECT_EQ(pictureOf(readFloorPlan(house(line), coarse()))[3], "O..........I.........O");
   const std::string level = "[[0,0],[1,0],[1,2],[0,2],[0,0.99],[0.7,0.99],[0.7,0.97],[0,0.97]]";
-  EXPECT_EQ(pictureOf(readPlan(house(level), coarse()))[11], "OOIIIIII...O");
+  EXPECT_EQ(pictureOf(readFloorPlan(house(level), coarse()))[11], "OOIIIIII...O");
 }
 
 TEST_F(PlanIo, EitherSenseAndAnyStartOfTheOutlineWillDo) {
-  const Plan one = readPlan(house("[[0,0],[2,0],[2,1],[0,1]]"), coarse());
-  const Plan other = readPlan(house("[[2,1],[2,0],[0,0],[0,1]]"), coarse());
+  const FloorPlan one = readFloorPlan(house("[[0,0],[2,0],[2,1],[0,1]]"), coarse());
+  const FloorPlan other = readFloorPlan(house("[[2,1],[2,0],[0,0],[0,1]]"), coarse());
   EXPECT_EQ(one.cells, other.cells);
 }
 
@@ -129,7 +129,7 @@ TEST_F(PlanIo, ReadsMapServer) {
   write("map.pgm", "P2 5 3 255  0 0 0 0 0  0 254 205 254 0  0 0 0 0 0");
   const std::string file =
       write("map.yaml", "image: map.pgm\nresolution: 0.1\norigin: [-1, 2, 0]\nmode: scale\n");
-  const Plan plan = readPlan(file);
+  const FloorPlan plan = readFloorPlan(file);
   EXPECT_EQ(test::rowsOf(toStates(plan)), (Rows{"#####", "#.?.#", "#####"}));
   EXPECT_EQ(plan.geometry, GridGeometry(0.1, {-1.0, 2.0}, 5, 3));
 }
@@ -146,7 +146,7 @@ TEST_F(PlanIo, APgmAloneIsNoPlan) {
 TEST_F(PlanIo, ContentDecidesWhereTheNameDoesNot) {
   const std::string house_file = house("[[0,0],[1,0],[1,1]]");
   std::filesystem::copy(house_file, path("house"));
-  EXPECT_EQ(readPlan(path("house")).cells, readPlan(house_file).cells);
+  EXPECT_EQ(readFloorPlan(path("house")).cells, readFloorPlan(house_file).cells);
 }
 
 TEST_F(PlanIo, NamesAMissingFile) {
@@ -174,7 +174,7 @@ TEST(PlanIoRealPlans, ReadsEachOne) {
     GTEST_SKIP() << test::kNoFloorPlans;
   }
   for (const std::string& file : files) {
-    const Plan plan = readPlan(file);
+    const FloorPlan plan = readFloorPlan(file);
     const auto count = [&](Material material) {
       return std::count(plan.cells.begin(), plan.cells.end(), material);
     };

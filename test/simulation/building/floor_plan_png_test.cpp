@@ -40,7 +40,7 @@ class PlanPicture : public test::PlanFiles {
 TEST_F(PlanPicture, ReadsPictures) {
   PlanOptions options;
   options.metres_per_pixel = 0.2;
-  const Plan plan = readPlan(picture({"        ",  //
+  const FloorPlan plan = readFloorPlan(picture({"        ",  //
                                       " ...... ",  //
                                       " .####. ",  //
                                       " .#g.#. ",  //
@@ -65,14 +65,14 @@ TEST_F(PlanPicture, WhiteAroundTheBuildingIsOutside) {
                                     ".#####.",  //
                                     "......."});
   EXPECT_EQ(
-      test::rowsOf(readPlan(file, options), [](Material m) { return "?.IO"[static_cast<int>(m)]; }),
+      test::rowsOf(readFloorPlan(file, options), [](Material m) { return "?.IO"[static_cast<int>(m)]; }),
       (Rows{"???????",  //
             "?OOOOO?",  //
             "?O...O?",  //
             "?OOOOO?",  //
             "???????"}));
   options.white_edge_is_outside = false;
-  EXPECT_EQ(test::rowsOf(toStates(readPlan(file, options)))[0], ".......");
+  EXPECT_EQ(test::rowsOf(toStates(readFloorPlan(file, options)))[0], ".......");
 }
 
 TEST_F(PlanPicture, DarknessDecides) {
@@ -80,7 +80,7 @@ TEST_F(PlanPicture, DarknessDecides) {
   options.metres_per_pixel = 0.2;
   options.white_edge_is_outside = false;
   options.dark = 0.2;
-  EXPECT_EQ(test::rowsOf(toStates(readPlan(picture({".g#"}), options))), (Rows{".##"}));
+  EXPECT_EQ(test::rowsOf(toStates(readFloorPlan(picture({".g#"}), options))), (Rows{".##"}));
 }
 
 TEST_F(PlanPicture, SaysWhatIsWrongWithAPicture) {
@@ -105,7 +105,7 @@ TEST_F(PlanPicture, ContentDecidesWhereTheNameDoesNot) {
   PlanOptions options;
   options.metres_per_pixel = 0.1;
   std::filesystem::copy(picture({"###", "#.#", "###"}), path("picture"));
-  EXPECT_EQ(readPlan(path("picture"), options).geometry.width(), 3);
+  EXPECT_EQ(readFloorPlan(path("picture"), options).geometry.width(), 3);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace {
 using Rows = std::vector<std::string>;
 
 /// 'O' outer wall, 'I' interior wall.
-Rows rowsOf(const Plan& plan) {
+Rows rowsOf(const FloorPlan& plan) {
   return test::rowsOf(plan, [](Material material) {
     switch (material) {
       case Material::kFree:
@@ -27,8 +27,8 @@ Rows rowsOf(const Plan& plan) {
 
 Rows materialsOf(const Rows& rows) { return rowsOf(withMaterials(test::world(rows, 0.1))); }
 
-TEST(Plan, StatesForgetTheMaterial) {
-  const Plan plan = test::gridFrom<Material>({"?.IO"}, 0.1, [](char c) {
+TEST(FloorPlan, StatesForgetTheMaterial) {
+  const FloorPlan plan = test::gridFrom<Material>({"?.IO"}, 0.1, [](char c) {
     return c == '.'   ? Material::kFree
            : c == 'I' ? Material::kInteriorWall
            : c == 'O' ? Material::kOuterWall
@@ -37,7 +37,7 @@ TEST(Plan, StatesForgetTheMaterial) {
   EXPECT_EQ(test::rowsOf(toStates(plan)), (Rows{"?.##"}));
 }
 
-TEST(Plan, WallsAtTheOutsideAreOuter) {
+TEST(FloorPlan, WallsAtTheOutsideAreOuter) {
   EXPECT_EQ(materialsOf({"???????????????",  //
                          "?#############?",  //
                          "?#.....#.....#?",  //
@@ -60,7 +60,7 @@ TEST(Plan, WallsAtTheOutsideAreOuter) {
                   "???????????????"}));
 }
 
-TEST(Plan, ABuildingMayFillItsGrid) {
+TEST(FloorPlan, ABuildingMayFillItsGrid) {
   EXPECT_EQ(materialsOf({"##########",  //
                          "#........#",  //
                          "#........#",  //
@@ -75,7 +75,7 @@ TEST(Plan, ABuildingMayFillItsGrid) {
                   "OOOOOOOOOO"}));
 }
 
-TEST(Plan, AShaftIsNotTheOutside) {
+TEST(FloorPlan, AShaftIsNotTheOutside) {
   const Rows plan = materialsOf({"#################",  //
                                  "#...............#",  //
                                  "#...............#",  //
@@ -98,7 +98,7 @@ TEST(Plan, AShaftIsNotTheOutside) {
   EXPECT_EQ(plan[8], "O.....I???I.....O");
 }
 
-TEST(Plan, SpecksBehindAWallDoNotMakeItInterior) {
+TEST(FloorPlan, SpecksBehindAWallDoNotMakeItInterior) {
   // What a scanner sees through a window.
   const Rows plan = materialsOf({"?????????????",  //
                                  "?????..??????",  //
@@ -113,7 +113,7 @@ TEST(Plan, SpecksBehindAWallDoNotMakeItInterior) {
   EXPECT_EQ(plan[2], "?OOOOOOOOOOO?");
 }
 
-TEST(Plan, ThickOuterWallsAreOuterAllThrough) {
+TEST(FloorPlan, ThickOuterWallsAreOuterAllThrough) {
   const Rows plan = materialsOf({"#############",  //
                                  "#############",  //
                                  "#############",  //
@@ -129,7 +129,7 @@ TEST(Plan, ThickOuterWallsAreOuterAllThrough) {
   EXPECT_EQ(plan[2], "OOOOOOOOOOOOO");
 }
 
-TEST(Plan, WithoutWallsOrFloorNothingHappens) {
+TEST(FloorPlan, WithoutWallsOrFloorNothingHappens) {
   EXPECT_EQ(materialsOf({"..", ".."}), (Rows{"..", ".."}));
   EXPECT_EQ(materialsOf({"??", "??"}), (Rows{"??", "??"}));
 }

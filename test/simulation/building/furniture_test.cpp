@@ -11,8 +11,8 @@ namespace sfw {
 namespace {
 
 /// 60 x 30 m of 0.1 m cells; the left half is free.
-Plan halfFree() {
-  Plan plan(GridGeometry(0.1, {-5.0, 2.0}, 600, 300), Material::kInteriorWall);
+FloorPlan halfFree() {
+  FloorPlan plan(GridGeometry(0.1, {-5.0, 2.0}, 600, 300), Material::kInteriorWall);
   Cell c;
   for (c.y = 0; c.y < 300; ++c.y) {
     for (c.x = 0; c.x < 300; ++c.x) {
@@ -23,7 +23,7 @@ Plan halfFree() {
 }
 
 TEST(Furniture, OnePieceForSoMuchFreeSpace) {
-  const Plan plan = halfFree();
+  const FloorPlan plan = halfFree();
   const std::vector<Furniture> pieces = placeFurniture(plan, 5.0, 9.0, 3);
   EXPECT_EQ(pieces.size(), 100U);
   for (const Furniture& piece : pieces) {
@@ -57,7 +57,7 @@ TEST(Furniture, SeedsFurnishDifferently) {
 }
 
 TEST(Furniture, NoFreeSpaceNoFurniture) {
-  const Plan plan(GridGeometry(0.1, Position::Zero(), 100, 100), Material::kUnknown);
+  const FloorPlan plan(GridGeometry(0.1, Position::Zero(), 100, 100), Material::kUnknown);
   EXPECT_TRUE(placeFurniture(plan, 5.0, 9.0, 1).empty());
 }
 

@@ -24,7 +24,7 @@ PlanGeneratorConfig configOf(BuildingKind kind, double area, std::uint64_t seed)
   return config;
 }
 
-Mask cellsOf(const Plan& plan, Material material) {
+Mask cellsOf(const FloorPlan& plan, Material material) {
   Mask mask(plan.geometry);
   for (std::size_t i = 0; i < mask.cells.size(); ++i) {
     mask.cells[i] = plan.cells[i] == material ? 1 : 0;
@@ -39,7 +39,7 @@ double areaOf(const Mask& mask) {
 }
 
 /// Where the centre of a robot may be, each connected part with its own number.
-Components placesOf(const Plan& plan, double robot_radius) {
+Components placesOf(const FloorPlan& plan, double robot_radius) {
   const Mask walls = complement(cellsOf(plan, Material::kFree));
   return labelComponents(
       complement(dilated(walls, robot_radius / plan.geometry.resolution() + std::sqrt(0.5))));
@@ -110,7 +110,7 @@ TEST(PlanGenerator, RoomsHaveSensibleSizes) {
 TEST(PlanGenerator, HasTheAreaAskedFor) {
   for (std::uint64_t seed = 0; seed < kSeeds; seed += 3) {
     PlanGeneratorConfig config = anyConfig(seed);
-    const Plan plan = generatePlan(config).plan;
+    const FloorPlan plan = generatePlan(config).plan;
     const double area =
         areaOf(cellsOf(plan, Material::kFree)) + areaOf(cellsOf(plan, Material::kInteriorWall));
     EXPECT_NEAR(area, config.area, 0.02 * config.area) << "seed " << seed;
@@ -119,7 +119,7 @@ TEST(PlanGenerator, HasTheAreaAskedFor) {
 
 TEST(PlanGenerator, OuterWallsAreClosedAndThickerThanTheOthers) {
   for (std::uint64_t seed = 0; seed < kSeeds; seed += 5) {
-    const Plan plan = generatePlan(anyConfig(seed)).plan;
+    const FloorPlan plan = generatePlan(anyConfig(seed)).plan;
     const Mask outside = cellsOf(plan, Material::kUnknown);
     const Mask outer = cellsOf(plan, Material::kOuterWall);
     EXPECT_EQ(labelComponents(outside).count, 1);
@@ -153,7 +153,7 @@ TEST(PlanGenerator, SeedsGiveManyBuildings) {
 }
 
 /// A value that changes with any cell (FNV-1a).
-std::uint64_t hashOf(const Plan& plan) {
+std::uint64_t hashOf(const FloorPlan& plan) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const Material material : plan.cells) {
     hash = (hash ^ static_cast<std::uint64_t>(material)) * 0x100000001b3;

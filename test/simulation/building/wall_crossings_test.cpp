@@ -13,7 +13,7 @@ namespace {
 Grid<CellState> drawn(const std::vector<std::string>& rows) { return test::world(rows, 1.0); }
 
 /// As drawn, with 'O' for outer walls.
-Plan drawnPlan(const std::vector<std::string>& rows) {
+FloorPlan drawnPlan(const std::vector<std::string>& rows) {
   return test::gridFrom<Material>(rows, 1.0, [](char c) {
     return c == '.'   ? Material::kFree
            : c == '#' ? Material::kInteriorWall
@@ -129,7 +129,7 @@ TEST(CountWalls, IsSymmetricInARandomWorld) {
 // ---- wallsBetween ----
 
 TEST(WallsBetween, TellsPlaceAndMaterialInOrder) {
-  const Plan plan = drawnPlan({".##..O.#."});
+  const FloorPlan plan = drawnPlan({".##..O.#."});
   const std::vector<WallCrossing> walls = wallsBetween(plan, {0.5, 0.5}, {8.5, 0.5});
   ASSERT_EQ(walls.size(), 3U);
   EXPECT_EQ(walls[0].middle, Position(2.0, 0.5));
@@ -148,7 +148,7 @@ TEST(WallsBetween, AWallIsOfWhatMostOfItsCellsAreMadeOf) {
 }
 
 TEST(WallsBetween, CountsAsForStates) {
-  const Plan plan = drawnPlan({".O.?.#.", "..O..#."});
+  const FloorPlan plan = drawnPlan({".O.?.#.", "..O..#."});
   EXPECT_EQ(countWalls(plan, {0.5, 1.5}, {6.5, 1.5}), 2);
   EXPECT_EQ(countWalls(plan, {0.5, 1.5}, {6.5, 0.5}),
             countWalls(toStates(plan), {0.5, 1.5}, {6.5, 0.5}));

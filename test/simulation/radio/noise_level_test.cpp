@@ -19,7 +19,7 @@ std::vector<double> noiseOf(NoiseLevel level) {
 TEST(NoiseLevel, FiguresAreFixed) {
   EXPECT_EQ(noiseOf(NoiseLevel::kNone), (std::vector<double>{0.0, 0.0, 0.0}));
   EXPECT_EQ(noiseOf(NoiseLevel::kLow), (std::vector<double>{1.0, 1.0, 0.5}));
-  EXPECT_EQ(noiseOf(NoiseLevel::kIdeal), (std::vector<double>{2.5, 2.0, 1.0}));
+  EXPECT_EQ(noiseOf(NoiseLevel::kModerate), (std::vector<double>{2.5, 2.0, 1.0}));
   EXPECT_EQ(noiseOf(NoiseLevel::kRealistic), (std::vector<double>{3.7, 3.0, 1.0}));
   EXPECT_EQ(noiseOf(NoiseLevel::kHard), (std::vector<double>{5.0, 4.0, 1.0}));
 }
@@ -27,13 +27,13 @@ TEST(NoiseLevel, FiguresAreFixed) {
 TEST(NoiseLevel, OnlyTheFirstIsNotRounded) {
   EXPECT_EQ(levelRadio(NoiseLevel::kNone, 1).step, 0.0);
   for (const auto level :
-       {NoiseLevel::kLow, NoiseLevel::kIdeal, NoiseLevel::kRealistic, NoiseLevel::kHard}) {
+       {NoiseLevel::kLow, NoiseLevel::kModerate, NoiseLevel::kRealistic, NoiseLevel::kHard}) {
     EXPECT_EQ(levelRadio(level, 1).step, 1.0);
   }
 }
 
 TEST(NoiseLevel, TheTextbooksLevelsAreTheSameForAllSeeds) {
-  for (const auto level : {NoiseLevel::kNone, NoiseLevel::kLow, NoiseLevel::kIdeal}) {
+  for (const auto level : {NoiseLevel::kNone, NoiseLevel::kLow, NoiseLevel::kModerate}) {
     for (const std::int64_t seed : {1, 2}) {
       const RecordingConfig config = levelConfig(level, seed);
       EXPECT_EQ(config.radio.seed, seed);
@@ -93,7 +93,7 @@ TEST(NoiseLevel, HomesDifferFromSeedToSeed) {
 }
 
 TEST(NoiseLevel, NamesAreReadBack) {
-  for (const auto level : {NoiseLevel::kNone, NoiseLevel::kLow, NoiseLevel::kIdeal,
+  for (const auto level : {NoiseLevel::kNone, NoiseLevel::kLow, NoiseLevel::kModerate,
                            NoiseLevel::kRealistic, NoiseLevel::kHard}) {
     EXPECT_EQ(parseNoiseLevel(nameOf(level)), level);
     EXPECT_TRUE(validate(levelConfig(level, 1)).empty());

@@ -70,7 +70,7 @@ TEST(RadioModel, OuterWallsLoseMoreAndEachBandHasItsLosses) {
   RadioModel::Config config = quietRadio();
   config.interior_wall_loss = 6.0;
   config.outer_wall_loss = 13.0;
-  Plan plan = dividedHall();
+  FloorPlan plan = dividedHall();
   test::buildWall(plan, 60.0, 0.3, Material::kOuterWall);
   const Transmitter slow{accessPointAt({45, 20}), Band::k2400MHz};
   const Transmitter fast{accessPointAt({45, 20}), Band::k5000MHz};
@@ -89,7 +89,7 @@ TEST(RadioModel, LossesSaturate) {
   RadioModel::Config config = quietRadio();
   config.interior_wall_loss = 8.0;
   config.saturation = 15.0;
-  Plan plan = emptyHall();
+  FloorPlan plan = emptyHall();
   for (int i = 1; i <= 9; ++i) {
     test::buildWall(plan, 10.0 * i, 0.2, Material::kInteriorWall);
   }
@@ -103,7 +103,7 @@ TEST(RadioModel, LossesSaturate) {
 TEST(RadioModel, AWallsLossBelongsToItsPlaceNotToTheRay) {
   RadioModel::Config config = quietRadio();
   config.interior_wall_variation = 2.0;
-  Plan plan = emptyHall();
+  FloorPlan plan = emptyHall();
   test::buildWall(plan, 50.0, 0.1, Material::kInteriorWall);
   const std::vector<Transmitter> table =
       asTransmitters({accessPointAt({45.05, 20.05}), accessPointAt({45.05, 15.05})});

@@ -62,7 +62,7 @@ TEST(RadioStatistics, LossOfAWallByMaterial) {
     config.sample_noise = 3.0;
     config.step = 1.0;
     config.sensitivity = -119.0;
-    Plan plan = emptyHall();
+    FloorPlan plan = emptyHall();
     test::buildWall(plan, 50.0, 0.2, material);
     // As far before the wall's middle as behind it, so that distance cancels.
     const RadioModel radio(plan, oneAt({50.0 - 1e-6, 20.0}), config);
@@ -87,7 +87,7 @@ TEST(RadioStatistics, VariationFromWallToWall) {
     config.interior_wall_variation = 1.0;
     config.outer_wall_loss = 16.0;
     config.outer_wall_variation = 2.0;
-    Plan plan = emptyHall();
+    FloorPlan plan = emptyHall();
     test::buildWall(plan, 50.0, 0.2, material);
     std::vector<double> here, near;
     for (config.seed = 0; config.seed < 150; ++config.seed) {

@@ -271,7 +271,7 @@ TEST(RoutePlannerRealPlans, WallsSeesAndSparseEntersEverything) {
   }
   constexpr double kRadius = 0.2;
   for (const std::string& file : files) {
-    const Grid<CellState> plan = toStates(readPlan(file));
+    const Grid<CellState> plan = toStates(readFloorPlan(file));
     const std::vector<Position> walls = planRoute(plan, RouteKind::kWalls, robot(kRadius));
     EXPECT_NO_THROW(requireFree(plan, walls, kRadius)) << file;
     EXPECT_GE(coverage(plan, walls, kRadius), 0.9) << file;
