@@ -183,8 +183,7 @@ void measure(double minutes, const Mapper& mapper, const std::vector<AccessPoint
   const DriveFeatures described = extractDriveFeatures(drive, config, never);
   WallFieldConfig walls;
   walls.line.saturation_db = std::numeric_limits<double>::infinity();
-  walls.line.shadowing.unexplained_db2 =
-      config.tomography.unexplained * config.tomography.unexplained;
+  walls.line.shadowing.unexplained_db2 = config.tomography.nugget_db * config.tomography.nugget_db;
   const DrivenPath path{pathCells(described.cells),
                         [&] {
                           std::vector<Position> driven;
@@ -193,7 +192,7 @@ void measure(double minutes, const Mapper& mapper, const std::vector<AccessPoint
                           }
                           return driven;
                         }(),
-                        config.inference.max_gap, config.inference.footprint_radius};
+                        config.path.max_gap_m, config.path.footprint_radius_m};
 
   std::size_t bins = 0;
   double precision = 0.0;

@@ -63,7 +63,8 @@ class SFW_EXPORT PathCorrector {
   };
 
   /// Whether the odometry is corrected by a jump from one fix to another.
-  static bool isJump(const OdometryCorrection& before, const OdometryCorrection& after, const Tolerance& tolerance);
+  static bool isJump(const OdometryCorrection& before, const OdometryCorrection& after,
+                     const Tolerance& tolerance);
 
   PathCorrector() = default;
   explicit PathCorrector(const Tolerance& tolerance) : tolerance_(tolerance) {}

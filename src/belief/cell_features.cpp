@@ -43,7 +43,7 @@ float over(float value, float limit) { return std::max(0.0F, value - limit); }
 class CellFeatureExtractor {
  public:
   CellFeatureExtractor(const DrivenPath& path, const std::vector<AccessPointBins>& heard,
-            const WallField& walls, const std::atomic<bool>& stop)
+                       const WallField& walls, const std::atomic<bool>& stop)
       : stop_(stop),
         geometry_(path.cells.geometry),
         heard_(heard),
@@ -240,7 +240,7 @@ bool usesRadio(std::size_t feature) {
 }
 
 CellFeatures extractCellFeatures(const DrivenPath& path, const std::vector<AccessPointBins>& heard,
-                           const WallField& walls, const std::atomic<bool>& stop) {
+                                 const WallField& walls, const std::atomic<bool>& stop) {
   return CellFeatureExtractor(path, heard, walls, stop).describe();
 }
 

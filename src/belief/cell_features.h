@@ -44,7 +44,7 @@ struct DrivenPath {
 /// @param stop  polled; when it turns true the result is incomplete
 /// O(cells log cells + cells crossed by rays).
 CellFeatures extractCellFeatures(const DrivenPath& path, const std::vector<AccessPointBins>& heard,
-                           const WallField& walls, const std::atomic<bool>& stop);
+                                 const WallField& walls, const std::atomic<bool>& stop);
 
 /// Cuts the share that walls explain, and the features that it weighs.
 void clampExplainedVariance(double least, double most, CellFeatures& features);

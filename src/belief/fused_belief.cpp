@@ -43,7 +43,8 @@ GridGeometry buildingGeometry(const std::vector<Position>& driven,
     }
   }
   try {
-    return GridGeometry::covering(box, config.resolution, config.resolution, 4 * config.max_cells);
+    return GridGeometry::covering(box, config.resolution_m, config.resolution_m,
+                                  4 * config.max_cells);
   } catch (const std::invalid_argument&) {
     throw InputError(tooLargeText(way, config));
   }
@@ -51,23 +52,24 @@ GridGeometry buildingGeometry(const std::vector<Position>& driven,
 
 WallFieldConfig wallFieldConfig(const Config::Tomography& config) {
   WallFieldConfig walls;
-  walls.line.saturation_db =
-      config.saturation > 0.0 ? config.saturation : std::numeric_limits<double>::infinity();
-  walls.line.sparsity = config.sparsity;
-  walls.line.straightness = config.straightness;
-  walls.line.shadowing.unexplained_db2 = config.unexplained * config.unexplained;
-  walls.directions = static_cast<int>(config.directions);
-  walls.members = static_cast<int>(config.members);
+  walls.line.saturation_db = config.max_total_wall_loss_db > 0.0
+                                 ? config.max_total_wall_loss_db
+                                 : std::numeric_limits<double>::infinity();
+  walls.line.sparsity = config.l1_weight;
+  walls.line.straightness = config.smoothness_weight;
+  walls.line.shadowing.unexplained_db2 = config.nugget_db * config.nugget_db;
+  walls.directions = static_cast<int>(config.wall_directions);
+  walls.members = static_cast<int>(config.ensemble_size);
   return walls;
 }
 
 DrivenPath drivenPath(const GridGeometry& geometry, std::vector<Position> driven,
-                      const Config::Inference& config) {
-  DrivenPath path{Mask(geometry), std::move(driven), config.max_gap, config.footprint_radius};
+                      const Config::Path& config) {
+  DrivenPath path{Mask(geometry), std::move(driven), config.max_gap_m, config.footprint_radius_m};
   for (std::size_t i = 0; i < path.driven.size(); ++i) {
     const Position& from = path.driven[i];
     const Position& next = path.driven[std::min(i + 1, path.driven.size() - 1)];
-    const Position& to = (next - from).norm() > config.max_gap ? from : next;
+    const Position& to = (next - from).norm() > config.max_gap_m ? from : next;
     Ray(geometry, from, to).forEachCell([&](Cell c) {
       if (geometry.contains(c)) {
         path.cells[c] = 1;
@@ -120,8 +122,8 @@ std::vector<std::vector<double>> sampleLosses(const DriveData& drive,
 }  // namespace
 
 DriveFeatures extractDriveFeatures(const DriveData& drive, const Config& config,
-                             const std::atomic<bool>& stop) {
-  const BuildingFrame frame = findBuildingFrame(drive.path, config.inference.max_gap);
+                                   const std::atomic<bool>& stop) {
+  const BuildingFrame frame = findBuildingFrame(drive.path, config.path.max_gap_m);
   std::vector<Position> driven;
   driven.reserve(drive.path.size());
   for (const Position& position : drive.path) {
@@ -129,19 +131,20 @@ DriveFeatures extractDriveFeatures(const DriveData& drive, const Config& config,
   }
   std::vector<AccessPointBins> heard;
   for (const AccessPointSamples& one : drive.heard) {
-    heard.push_back(
-        binned(one.samples, one.access_point_in_map, one.height_m, frame, config.tomography.bin));
+    heard.push_back(binned(one.samples, one.access_point_in_map, one.height_m, frame,
+                           config.tomography.bin_size_m));
   }
   const GridGeometry geometry = buildingGeometry(driven, heard, config.map);
-  const DrivenPath path = drivenPath(geometry, std::move(driven), config.inference);
+  const DrivenPath path = drivenPath(geometry, std::move(driven), config.path);
   WallField walls = estimateWalls(geometry, heard, path.cells, path.robot_radius_m,
                                   wallFieldConfig(config.tomography), stop);
   CellFeatures cells = extractCellFeatures(path, heard, walls, stop);
   return {frame, std::move(heard), std::move(walls), std::move(cells)};
 }
 
-FusedBelief fuse(const GridGeometry& geometry, const DriveData& drive, const BeliefModel& model,
-                 const Config& config, bool radio, const std::atomic<bool>& stop) {
+FusedBelief inferOccupancyByTomography(const GridGeometry& geometry, const DriveData& drive,
+                                       const BeliefModel& model, const Config& config, bool radio,
+                                       const std::atomic<bool>& stop) {
   FusedBelief belief{
       Grid<float>(geometry, kUnknownOccupancy), Grid<float>(geometry), {}, 0.0, {}, {}};
   if (drive.path.empty()) {
@@ -164,9 +167,8 @@ FusedBelief fuse(const GridGeometry& geometry, const DriveData& drive, const Bel
   }
   belief.wall_loss = onMap(geometry, described.walls.strength, described.frame, 0.0F);
   belief.sample_loss = sampleLosses(drive, described);
-  const Mask path = drivenPath(geometry, drive.path, config.inference).cells;
-  stampFootprintAndContacts(path, drive.contacts, config.inference.footprint_radius,
-                            belief.occupied);
+  const Mask path = drivenPath(geometry, drive.path, config.path).cells;
+  stampFootprintAndContacts(path, drive.contacts, config.path.footprint_radius_m, belief.occupied);
   labelFreeAndRim(path, config.belief, belief.occupied);
   return belief;
 }

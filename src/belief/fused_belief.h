@@ -21,9 +21,9 @@ struct AccessPointSamples {
 
 /// Everything that a map is inferred from.
 struct DriveData {
-  std::vector<Position> path;       ///< all positions [m] in the order driven, map frame
+  std::vector<Position> path;             ///< all positions [m] in the order driven, map frame
   std::vector<AccessPointSamples> heard;  ///< by each access point
-  std::vector<Contact> contacts;    ///< obstacles touched: they stay occupied
+  std::vector<Contact> contacts;          ///< obstacles touched: they stay occupied
 };
 
 /// The fields of a drive in the building frame, before any belief.
@@ -39,7 +39,7 @@ struct DriveFeatures {
 /// @param stop   polled; when it turns true the result is incomplete
 /// @throw InputError if the grid would have more than four times map/max_cells.
 DriveFeatures extractDriveFeatures(const DriveData& drive, const Config& config,
-                             const std::atomic<bool>& stop);
+                                   const std::atomic<bool>& stop);
 
 /// What tomography and the fused belief make of a drive, on the grid of a map.
 struct FusedBelief {
@@ -61,7 +61,8 @@ struct FusedBelief {
 /// @param geometry  of the map
 /// @param radio     false: the control without signal strength
 /// @param stop      as for extractDriveFeatures
-FusedBelief fuse(const GridGeometry& geometry, const DriveData& drive, const BeliefModel& model,
-                 const Config& config, bool radio, const std::atomic<bool>& stop);
+FusedBelief inferOccupancyByTomography(const GridGeometry& geometry, const DriveData& drive,
+                                       const BeliefModel& model, const Config& config, bool radio,
+                                       const std::atomic<bool>& stop);
 
 }  // namespace sfw

@@ -11,8 +11,8 @@
 
 namespace sfw {
 
-ShortestPaths shortestPathsFrom(const Mask& path, const Grid<double>& distance, const Grid<float>& strength,
-              const std::atomic<bool>& stop) {
+ShortestPaths shortestPathsFrom(const Mask& path, const Grid<double>& distance,
+                                const Grid<float>& strength, const std::atomic<bool>& stop) {
   const GridGeometry& geometry = path.geometry;
   const double resolution = geometry.resolution();
   constexpr float kFar = 1e6F;

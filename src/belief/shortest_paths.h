@@ -18,7 +18,7 @@ struct ShortestPaths {
 /// @param distance  to the path, in cells: none is judged beyond kMaxDistanceToPath
 /// @param stop      polled; when it turns true the result is incomplete
 /// O(cells log cells).
-ShortestPaths shortestPathsFrom(const Mask& path, const Grid<double>& distance, const Grid<float>& strength,
-              const std::atomic<bool>& stop);
+ShortestPaths shortestPathsFrom(const Mask& path, const Grid<double>& distance,
+                                const Grid<float>& strength, const std::atomic<bool>& stop);
 
 }  // namespace sfw

@@ -35,8 +35,8 @@ std::vector<Reading> withShiftedRadio(const std::vector<Reading>& readings, int 
 }
 
 AblationMetrics evaluateControls(const EvaluationInput& input, const std::vector<Reading>& readings,
-                                const std::vector<AccessPoint>& access_points,
-                                const Config& config) {
+                                 const std::vector<AccessPoint>& access_points,
+                                 const Config& config) {
   AblationMetrics controls;
   EvaluationInput control = input;
   for (int shift = 1; shift <= kRadioShifts; ++shift) {

@@ -28,8 +28,8 @@ struct AblationMetrics {
 /// @param input  as for the map itself; its map and probabilities are replaced
 /// @throw InputError as Mapper and evaluate
 AblationMetrics evaluateControls(const EvaluationInput& input, const std::vector<Reading>& readings,
-                                const std::vector<AccessPoint>& access_points,
-                                const Config& config);
+                                 const std::vector<AccessPoint>& access_points,
+                                 const Config& config);
 
 /// The map and probabilities of a belief, for evaluate(), without wall losses.
 void setBelief(const BeliefMap& belief, EvaluationInput& input);

@@ -73,7 +73,8 @@ class Benchmark {
   BeliefMap inferred(const Mapper& mapper, const std::vector<CountedPath>& heard,
                      const Config& config) const {
     const std::atomic<bool> never{false};
-    return {inferOccupancy(mapper.geometry(), heard, input_.path, {}, config.inference, never),
+    return {inferOccupancy(mapper.geometry(), heard, input_.path, {}, sparseInverseConfig(config),
+                           never),
             config.belief};
   }
 

@@ -108,6 +108,62 @@ std::string nearestSetting(const std::string& name) {
   return nearest;
 }
 
+/// Settings that had another name in the release before: its old name, then its name now.
+constexpr std::pair<const char*, const char*> kRenamed[] = {
+    {"path/footprint_radius", "path/footprint_radius"},
+    {"path/max_gap", "path/max_gap"},
+    {"k_visibility/wall_prior", "k_visibility/wall_prior"},
+    {"k_visibility/wall_thickness", "k_visibility/wall_thickness"},
+    {"k_visibility/filter", "k_visibility/filter"},
+    {"k_visibility/max_wall_count", "k_visibility/max_wall_count"},
+    {"k_visibility/min_wall_loss", "k_visibility/min_wall_loss"},
+    {"k_visibility/path_loss_exponent", "k_visibility/path_loss_exponent"},
+    {"k_visibility/wall_count", "k_visibility/wall_count"},
+    {"k_visibility/window", "k_visibility/window"},
+    {"tomography/bin_size", "tomography/bin_size"},
+    {"tomography/wall_directions", "tomography/wall_directions"},
+    {"tomography/ensemble_size", "tomography/ensemble_size"},
+    {"tomography/max_total_wall_loss", "tomography/max_total_wall_loss"},
+    {"tomography/l1_weight", "tomography/l1_weight"},
+    {"tomography/smoothness_weight", "tomography/smoothness_weight"},
+    {"tomography/nugget", "tomography/nugget"},
+};
+
+/// Whether a setting is absent or has its default value.
+bool isDefault(const std::map<std::string, YAML::Node>& leaves, const std::string& name) {
+  const auto leaf = leaves.find(name);
+  bool same = leaf == leaves.end();
+  const Config defaults;
+  forEachSetting(defaults, [&](const std::string& known, const auto& value) {
+    auto given = value;
+    same = same || (known == name && readScalar(leaf->second, given) && given == value);
+  });
+  return same;
+}
+
+/// Moves values under old names to the names of now, with a warning for each.
+///
+/// Launch files load the shipped defaults before a user's own settings. So an old name counts even
+/// beside its new name, unless the new name was given another value than its default.
+void renameOldSettings(std::map<std::string, YAML::Node>& leaves,
+                       std::vector<std::string>& warnings) {
+  for (const auto& [old_name, name] : kRenamed) {
+    const auto old_leaf = leaves.find(old_name);
+    if (old_leaf == leaves.end()) {
+      continue;
+    }
+    const std::string renamed = std::string(old_name) + " is now called " + name;
+    if (isDefault(leaves, name)) {
+      leaves[name] = old_leaf->second;
+      warnings.push_back(renamed + "; rename it, the next release ignores the old name");
+    } else {
+      warnings.push_back(renamed + ", which is set too: the value of " + old_name +
+                         " is ignored; remove it");
+    }
+    leaves.erase(old_name);
+  }
+}
+
 /// Whether settings stand below a name.
 bool isGroup(const std::string& name) {
   bool group = false;
@@ -222,6 +278,7 @@ ConfigReading configFromYaml(const YAML::Node& node) {
   }
   std::map<std::string, YAML::Node> leaves;
   flatten(node, "", leaves);
+  renameOldSettings(leaves, reading.warnings);
   std::vector<std::string> problems;
   forEachSetting(reading.config, [&](const char* name, auto& value) {
     const auto leaf = leaves.find(name);

@@ -72,22 +72,22 @@ class PathCells {
 /// Its variance grows with the square of its length: the midpoint of a long segment is a poor
 /// guess, and two equal counts far apart are a poor proof that nothing stands between.
 void addSegment(const RaySegment& segment, const std::vector<Cell>& ray,
-                const Config::Inference& config, Grid<CellEvidence>& evidence) {
+                const SparseInverseConfig& config, Grid<CellEvidence>& evidence) {
   const double resolution = evidence.geometry.resolution();
   const std::size_t cells = segment.end - segment.begin;
   const double length = static_cast<double>(cells) * resolution;
   if (segment.walls < 0) {
     return;  // one of the two counts is wrong, and nothing tells which
   }
-  const double least_room = 2.0 * config.footprint_radius + config.wall_thickness;
+  const double least_room = 2.0 * config.footprint_radius_m + config.wall_thickness_m;
   if (segment.walls > 0 && length < least_room) {
     return;  // no wall fits between two footprints this close
   }
   const double weight = 1.0 / (length * length);
   const std::vector<double> mass =
-      wallMass(cells, segment.walls, config.wall_thickness / resolution);
+      wallMass(cells, segment.walls, config.wall_thickness_m / resolution);
   // A wall somewhere on the segment is never a reason to call one of its cells free (Rule 3).
-  const double least_mass = segment.walls > 0 ? config.wall_density : 0.0;
+  const double least_mass = segment.walls > 0 ? config.wall_prior : 0.0;
   for (std::size_t i = 0; i < cells; ++i) {
     const Cell cell = ray[segment.begin + i];
     if (evidence.geometry.contains(cell)) {
@@ -97,11 +97,11 @@ void addSegment(const RaySegment& segment, const std::vector<Cell>& ray,
   }
 }
 
-void addRays(const CountedPath& heard, const Config::Inference& config,
+void addRays(const CountedPath& heard, const SparseInverseConfig& config,
              const std::atomic<bool>& stop, Grid<CellEvidence>& evidence) {
   const GridGeometry& geometry = evidence.geometry;
   PathCells path(geometry);
-  path.enter(heard, config.max_gap);
+  path.enter(heard, config.max_gap_m);
   std::vector<Cell> ray;
   std::vector<CountedCell> known;
   for (const Cell end : path.cells()) {
@@ -130,10 +130,10 @@ float occupancy(const CellEvidence& evidence, double wall_density) {
 }
 
 /// Rule 1: where the robot stood is free, at least the cell of its antenna.
-void freeFootprints(const std::vector<Position>& path, const Config::Inference& config,
+void freeFootprints(const std::vector<Position>& path, const SparseInverseConfig& config,
                     Grid<float>& occupied) {
   const GridGeometry& geometry = occupied.geometry;
-  const double radius = config.footprint_radius;
+  const double radius = config.footprint_radius_m;
   const Position reach(radius, radius);
   for (const Position& pose : path) {
     const Cell own = geometry.cellAt(pose);
@@ -208,9 +208,14 @@ std::vector<double> wallMass(std::size_t cells, int walls, double wall_cells) {
   return mass;
 }
 
+SparseInverseConfig sparseInverseConfig(const Config& config) {
+  return {config.path.footprint_radius_m, config.path.max_gap_m,
+          config.k_visibility.wall_thickness_m, config.k_visibility.wall_prior};
+}
+
 Grid<float> inferOccupancy(const GridGeometry& geometry, const std::vector<CountedPath>& heard,
                            const std::vector<Position>& path, const std::vector<Contact>& contacts,
-                           const Config::Inference& config, const std::atomic<bool>& stop) {
+                           const SparseInverseConfig& config, const std::atomic<bool>& stop) {
   Grid<CellEvidence> evidence(geometry);
   for (const CountedPath& one : heard) {
     addRays(one, config, stop, evidence);
@@ -218,10 +223,10 @@ Grid<float> inferOccupancy(const GridGeometry& geometry, const std::vector<Count
   Grid<float> occupied(geometry, kUnknownOccupancy);
   for (std::size_t i = 0; i < evidence.cells.size(); ++i) {
     if (evidence.cells[i].weight > 0.0) {
-      occupied.cells[i] = occupancy(evidence.cells[i], config.wall_density);
+      occupied.cells[i] = occupancy(evidence.cells[i], config.wall_prior);
     }
   }
-  freeFootprints(densified(path, geometry.resolution(), config.max_gap), config, occupied);
+  freeFootprints(densified(path, geometry.resolution(), config.max_gap_m), config, occupied);
   stampContacts(contacts, occupied);
   return occupied;
 }

@@ -9,6 +9,16 @@
 
 namespace sfw {
 
+/// Settings of sparse inverse k-visibility; Config explains each one.
+struct SparseInverseConfig {
+  double footprint_radius_m = 0.15;
+  double max_gap_m = 1.0;
+  double wall_thickness_m = 0.10;
+  double wall_prior = 0.02;
+};
+
+SparseInverseConfig sparseInverseConfig(const Config& config);
+
 /// A pose of the path with the number of walls to one access point.
 struct CountedPose {
   Position antenna_in_map = Position::Zero();  ///< [m]
@@ -70,6 +80,6 @@ struct CellEvidence {
 /// O(path cells x cells of a ray) for each access point.
 Grid<float> inferOccupancy(const GridGeometry& geometry, const std::vector<CountedPath>& heard,
                            const std::vector<Position>& path, const std::vector<Contact>& contacts,
-                           const Config::Inference& config, const std::atomic<bool>& stop);
+                           const SparseInverseConfig& config, const std::atomic<bool>& stop);
 
 }  // namespace sfw

@@ -13,7 +13,8 @@ constexpr std::size_t kMostAtOnce = 4;
 
 }  // namespace
 
-void DataChecker::checkAll(const Mapper& mapper, Snapshot& snapshot, const std::atomic<bool>& stop) {
+void DataChecker::checkAll(const Mapper& mapper, Snapshot& snapshot,
+                           const std::atomic<bool>& stop) {
   const std::vector<std::vector<Sample>> samples = mapper.samples();
   known_.assign(samples.size(), {});
   for (std::size_t i = 0; i < samples.size() && !stop; ++i) {
@@ -30,7 +31,8 @@ void DataChecker::checkAll(const Mapper& mapper, Snapshot& snapshot) {
   checkAll(mapper, snapshot, never);
 }
 
-bool DataChecker::checkChanged(const Mapper& mapper, Snapshot& snapshot, const std::atomic<bool>& stop) {
+bool DataChecker::checkChanged(const Mapper& mapper, Snapshot& snapshot,
+                               const std::atomic<bool>& stop) {
   const std::vector<std::vector<Sample>> samples = mapper.samples();
   known_.resize(samples.size());
   ++round_;
@@ -68,7 +70,7 @@ double DataChecker::change(const Known& known, const std::vector<Sample>& sample
 }
 
 void DataChecker::judge(const AccessPoint& access_point, const std::vector<Sample>& samples,
-                  Known& known) {
+                        Known& known) {
   known = {};
   known.readings = samples.size();
   if (!samples.empty()) {

@@ -36,9 +36,9 @@ Box extentOf(const std::vector<AccessPoint>& access_points) {
 }
 
 GridGeometry geometryAround(const Box& extent, const Config::Map& config) {
-  const Position margin(config.margin, config.margin);
-  return GridGeometry::covering({extent.min() - margin, extent.max() + margin}, config.resolution,
-                                config.growth_step, config.max_cells);
+  const Position margin(config.margin_m, config.margin_m);
+  return GridGeometry::covering({extent.min() - margin, extent.max() + margin}, config.resolution_m,
+                                config.growth_step_m, config.max_cells);
 }
 
 Box firstExtent(const Config& config, const std::vector<AccessPoint>& access_points) {
@@ -175,7 +175,8 @@ InsertResult Mapper::accept(const Reading& reading) {
     return room;
   }
   readings_.push_back(kept);
-  return index_of_.count(kept.bssid) > 0 ? InsertResult::kAccepted : InsertResult::kUnknownAccessPoint;
+  return index_of_.count(kept.bssid) > 0 ? InsertResult::kAccepted
+                                         : InsertResult::kUnknownAccessPoint;
 }
 
 InsertResult Mapper::insert(const Contact& contact) {

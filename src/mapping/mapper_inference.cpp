@@ -137,7 +137,7 @@ Mapper::Inliers Mapper::believed() const {
         std::lower_bound(path.begin(), path.end(), pose, earlier) - path.begin())];
   });
   recordRejected(believed.contacts,
-           [&](const Contact& contact) { return stray[poseAt(contact.stamp_ns, path)]; });
+                 [&](const Contact& contact) { return stray[poseAt(contact.stamp_ns, path)]; });
   believed.path = pathOf(believed.readings);
   return believed;
 }
@@ -246,10 +246,10 @@ void Mapper::inferByCounts(std::vector<Series>& heard, UseRadio hearing,
   if (hearing == UseRadio::kNothing) {
     counted_paths.clear();
   }
-  snapshot.belief =
-      BeliefMap(inferOccupancy(snapshot.belief.geometry(), counted_paths,
-                               positionsOf(snapshot.path), contacts, config_.inference, stop),
-                config_.belief);
+  snapshot.belief = BeliefMap(
+      inferOccupancy(snapshot.belief.geometry(), counted_paths, positionsOf(snapshot.path),
+                     contacts, sparseInverseConfig(config_), stop),
+      config_.belief);
 }
 
 void Mapper::inferByTomography(std::vector<Series>& heard, UseRadio hearing,
@@ -264,8 +264,8 @@ void Mapper::inferByTomography(std::vector<Series>& heard, UseRadio hearing,
       index.push_back(i);
     }
   }
-  FusedBelief fused =
-      fuse(snapshot.belief.geometry(), drive, model_, config_, hearing == UseRadio::kSignals, stop);
+  FusedBelief fused = inferOccupancyByTomography(snapshot.belief.geometry(), drive, model_, config_,
+                                                 hearing == UseRadio::kSignals, stop);
   for (std::size_t i = 0; i < index.size(); ++i) {
     for (std::size_t j = 0; j < fused.sample_loss[i].size(); ++j) {
       PathPose& pose = heard[index[i]].poses[j];
@@ -284,18 +284,20 @@ std::vector<double> Mapper::filtered(const Series& series, const Position& acces
   for (std::size_t i = 0; i < series.poses.size(); ++i) {
     const double distance_m = (series.poses[i].antenna_in_map - access_point).norm();
     rssi_dbm.push_back(
-        withoutPathLoss(series.rssi_dbm[i], distance_m, config_.rssi.path_loss_exponent));
+        withoutPathLoss(series.rssi_dbm[i], distance_m, config_.k_visibility.path_loss_exponent));
   }
-  const auto window = static_cast<std::size_t>(config_.rssi.window);
-  return config_.rssi.filter == "mean" ? slidingMean(rssi_dbm, window)
-                                       : slidingMedian(rssi_dbm, window);
+  const auto window = static_cast<std::size_t>(config_.k_visibility.window);
+  return config_.k_visibility.filter == "mean" ? slidingMean(rssi_dbm, window)
+                                               : slidingMedian(rssi_dbm, window);
 }
 
 WallCountModel Mapper::fitted(const std::vector<double>& rssi_dbm) const {
-  return config_.rssi.walls > 0
-             ? WallCountModel::fit(rssi_dbm, static_cast<std::size_t>(config_.rssi.walls))
-             : WallCountModel::choose(rssi_dbm, static_cast<std::size_t>(config_.rssi.max_walls),
-                                      config_.rssi.min_wall_loss);
+  return config_.k_visibility.wall_count > 0
+             ? WallCountModel::fit(rssi_dbm,
+                                   static_cast<std::size_t>(config_.k_visibility.wall_count))
+             : WallCountModel::choose(rssi_dbm,
+                                      static_cast<std::size_t>(config_.k_visibility.max_wall_count),
+                                      config_.k_visibility.min_wall_loss_db);
 }
 
 }  // namespace sfw

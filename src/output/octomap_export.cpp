@@ -42,8 +42,8 @@ std::string fileHeader(const char* magic, const octomap::OcTree& tree) {
 std::unique_ptr<octomap::OcTree> toOctomap(const BeliefMap& belief, const Config::Octomap& config) {
   const GridGeometry& geometry = belief.geometry();
   const double resolution = geometry.resolution();
-  const std::int32_t wall_layers = layers(config.wall_height, resolution);
-  const std::int32_t robot_layers = layers(config.robot_height, resolution);
+  const std::int32_t wall_layers = layers(config.wall_height_m, resolution);
+  const std::int32_t robot_layers = layers(config.robot_height_m, resolution);
   if (!octomapReaches(geometry)) {
     throw std::invalid_argument("the map reaches beyond OctoMap's 32768 voxels from its origin");
   }

@@ -142,13 +142,15 @@ void PathCorrector::insert(const OdometryCorrection& fix) {
   }
 }
 
-bool PathCorrector::isJump(const OdometryCorrection& before, const OdometryCorrection& after, const Tolerance& tolerance) {
+bool PathCorrector::isJump(const OdometryCorrection& before, const OdometryCorrection& after,
+                           const Tolerance& tolerance) {
   const double distance_m = (after.antenna_in_map - withoutJump(before, after)).norm();
   return distance_m > tolerance.distance_m ||
          std::abs(turnBetween(before, after)) > tolerance.turn_rad;
 }
 
-std::size_t PathCorrector::endOfJump(const std::vector<OdometryCorrection>& fixes, std::size_t begin) const {
+std::size_t PathCorrector::endOfJump(const std::vector<OdometryCorrection>& fixes,
+                                     std::size_t begin) const {
   std::size_t end = begin;
   for (std::size_t i = begin + 1;
        i < fixes.size() && fixes[i].stamp_ns - fixes[end].stamp_ns <= kOneJump; ++i) {
@@ -159,10 +161,13 @@ std::size_t PathCorrector::endOfJump(const std::vector<OdometryCorrection>& fixe
 
 PathCorrection PathCorrector::correction() const {
   std::vector<OdometryCorrection> fixes = fixes_;
-  std::sort(fixes.begin(), fixes.end(),
-            [](const OdometryCorrection& a, const OdometryCorrection& b) { return order(a) < order(b); });
+  std::sort(
+      fixes.begin(), fixes.end(),
+      [](const OdometryCorrection& a, const OdometryCorrection& b) { return order(a) < order(b); });
   fixes.erase(std::unique(fixes.begin(), fixes.end(),
-                          [](const OdometryCorrection& a, const OdometryCorrection& b) { return a.stamp_ns == b.stamp_ns; }),
+                          [](const OdometryCorrection& a, const OdometryCorrection& b) {
+                            return a.stamp_ns == b.stamp_ns;
+                          }),
               fixes.end());
   SpreadPath path(fixes);
   double since_m = 0.0;  // where the way of the next jump begins

@@ -49,7 +49,7 @@ double readingNoise(const std::vector<Sample>& samples) {
 }
 
 AccessPointBins binned(const std::vector<Sample>& samples, const Position& access_point_in_map,
-                        std::optional<double> height_m, const BuildingFrame& frame, double bin_m) {
+                       std::optional<double> height_m, const BuildingFrame& frame, double bin_m) {
   AccessPointBins heard;
   heard.position = frame.toBuilding(access_point_in_map);
   heard.height_m = height_m;
@@ -85,7 +85,7 @@ double logDistance(const AccessPointBins& access_point, const Position& place) {
 }
 
 double explainedVariance(const std::vector<AccessPointBins>& heard,
-                      const std::vector<std::vector<double>>& ray_loss) {
+                         const std::vector<std::vector<double>>& ray_loss) {
   constexpr std::size_t kFewest = 10;
   double by_distance = 0.0;
   double with_walls = 0.0;

@@ -36,7 +36,7 @@ struct Sample {
 /// noise of a reading is half the mean square of successive differences, each cut at 12 dB.
 /// @param samples  in the order heard
 AccessPointBins binned(const std::vector<Sample>& samples, const Position& access_point_in_map,
-                        std::optional<double> height_m, const BuildingFrame& frame, double bin_m);
+                       std::optional<double> height_m, const BuildingFrame& frame, double bin_m);
 
 /// Variance of one reading at one place [dB2]: half the mean square of successive differences, each
 /// cut at 12 dB; at least 0.3 dB squared.
@@ -57,6 +57,6 @@ double logDistance(const AccessPointBins& access_point, const Position& place);
 /// @param ray_loss  of each bin of each access point [dB]; access points of fewer than ten bins are
 ///                  left out
 double explainedVariance(const std::vector<AccessPointBins>& heard,
-                      const std::vector<std::vector<double>>& ray_loss);
+                         const std::vector<std::vector<double>>& ray_loss);
 
 }  // namespace sfw

@@ -223,7 +223,7 @@ SignalPrecisionF::SignalPrecisionF(const SignalPrecision& exact)
 }
 
 void SignalPrecisionF::times(Eigen::Ref<const Eigen::VectorXf> residual,
-                            Eigen::Ref<Eigen::VectorXf> product) const {
+                             Eigen::Ref<Eigen::VectorXf> product) const {
   const Eigen::Vector2f common = capacitance_ * (solved_basis_.transpose() * residual);
   product.noalias() = -solved_basis_ * common;
   for (const ShadowingWhitener::Row<float>& row : rows_) {

@@ -35,7 +35,8 @@ Bssid numberedBssid(std::size_t number);
 /// Places for access points: free, 0.3 m or more from walls, and far from each other.
 /// @throw InputError if the plan has no such place.
 /// Deterministic; O(cells).
-std::vector<AccessPoint> placeAccessPoints(const FloorPlan& plan, std::int64_t count, std::int64_t seed);
+std::vector<AccessPoint> placeAccessPoints(const FloorPlan& plan, std::int64_t count,
+                                           std::int64_t seed);
 
 /// Chooses access points (unless `access_points` names them), path and noise.
 /// @throw InputError if the path or an access point does not fit the plan.

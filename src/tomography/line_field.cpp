@@ -204,9 +204,8 @@ class Solver {
 }  // namespace
 
 LineField solveLineField(const std::vector<LineLattice>& lattices,
-                         const std::vector<AccessPointBins>& heard,
-                         const std::vector<Mask>& driven, const LineFieldConfig& config,
-                         const std::atomic<bool>& stop) {
+                         const std::vector<AccessPointBins>& heard, const std::vector<Mask>& driven,
+                         const LineFieldConfig& config, const std::atomic<bool>& stop) {
   return Solver(lattices, heard, driven, config, stop).solve();
 }
 

@@ -80,9 +80,8 @@ double lossBetween(const LineField& field, const Position& from, const Position&
 /// @param stop      polled; when it turns true the result is incomplete
 /// O(iterations x (bins + crossings of rays with the lattices' lines)).
 LineField solveLineField(const std::vector<LineLattice>& lattices,
-                         const std::vector<AccessPointBins>& heard,
-                         const std::vector<Mask>& driven, const LineFieldConfig& config,
-                         const std::atomic<bool>& stop);
+                         const std::vector<AccessPointBins>& heard, const std::vector<Mask>& driven,
+                         const LineFieldConfig& config, const std::atomic<bool>& stop);
 
 template <class Visitor>
 void forEachLine(const GridGeometry& geometry, const Position& from, const Position& to,

@@ -51,7 +51,7 @@ std::vector<LineLattice> latticesOf(int member, const GridGeometry& geometry,
 
 /// The bins that a member hears; all if it is the only one.
 std::vector<AccessPointBins> heardBy(int member, const std::vector<AccessPointBins>& heard,
-                                      const WallFieldConfig& config) {
+                                     const WallFieldConfig& config) {
   std::vector<AccessPointBins> part = heard;
   if (config.members < 2) {
     return part;

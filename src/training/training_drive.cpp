@@ -18,7 +18,9 @@ bool happens(double probability, Random& random) { return random.uniform() <= pr
 
 NoiseLevel chooseLevel(Random& random) {
   const double draw = random.uniform();
-  return draw < 0.1 ? NoiseLevel::kModerate : draw < 0.8 ? NoiseLevel::kRealistic : NoiseLevel::kHard;
+  return draw < 0.1   ? NoiseLevel::kModerate
+         : draw < 0.8 ? NoiseLevel::kRealistic
+                      : NoiseLevel::kHard;
 }
 
 /// Wider than the levels: losses of walls in homes were measured from 1.4 to 8.3 dB, and the first

@@ -154,7 +154,7 @@ void furnish(FloorPlan& plan, Random& random) {
 }
 
 std::vector<Position> withHumanSteering(const std::vector<Position>& way, const FloorPlan& plan,
-                               double clearance_m, Random& random) {
+                                        double clearance_m, Random& random) {
   const Clearance clearance(plan, clearance_m);
   const double displacement = random.uniform(0.1, 0.5);
   const double left_out = random.uniform(0.0, 0.35);
@@ -180,7 +180,7 @@ std::vector<Position> withHumanSteering(const std::vector<Position>& way, const 
 }
 
 std::vector<Position> withRandomWalks(const std::vector<Position>& way, const FloorPlan& plan,
-                                double clearance_m, Random& random) {
+                                      double clearance_m, Random& random) {
   constexpr double kFarthest = 3.0;  // [m] from the way point
   const Clearance clearance(plan, clearance_m);
   const double longest = random.uniform(0.2, 1.2);

@@ -19,11 +19,11 @@ void furnish(FloorPlan& plan, Random& random);
 /// The way as a person would steer it: way points left out and displaced, corners cut.
 /// @param clearance_m  kept from everything that is not free
 std::vector<Position> withHumanSteering(const std::vector<Position>& way, const FloorPlan& plan,
-                               double clearance_m, Random& random);
+                                        double clearance_m, Random& random);
 
 /// The way with strolls of some ten steps around its way points, as on a survey.
 /// @param clearance_m  kept from everything that is not free, on the strolls
 std::vector<Position> withRandomWalks(const std::vector<Position>& way, const FloorPlan& plan,
-                                double clearance_m, Random& random);
+                                      double clearance_m, Random& random);
 
 }  // namespace sfw

@@ -76,7 +76,7 @@ Picture manyWalls() {
 
 /// An access point that hears along both bands; walls explain a part of its signals.
 AccessPointBins slantedRays(const FeatureScene& scene, Cell at, const Move& move,
-                             const std::vector<double>& loss_db) {
+                            const std::vector<double>& loss_db) {
   const std::vector<Cell> places{{7, 17},  {8, 17},  {10, 17}, {11, 17}, {13, 16}, {14, 16},
                                  {17, 13}, {16, 12}, {17, 12}, {16, 11}, {17, 11}};
   std::vector<Cell> bins;

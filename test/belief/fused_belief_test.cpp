@@ -154,8 +154,9 @@ TEST(Tomography, GivesAMostlyUnknownMapOfNothing) {
 }
 
 TEST(Tomography, GivesAMostlyUnknownMapOfOneReading) {
-  const auto snapshot = mapOf(
-      {FloorPlan(GridGeometry(0.1, {0, 0}, 1, 1)), {accessPoint()}, {readingAt(2.0, 2.0, -50.0, 1)}});
+  const auto snapshot = mapOf({FloorPlan(GridGeometry(0.1, {0, 0}, 1, 1)),
+                               {accessPoint()},
+                               {readingAt(2.0, 2.0, -50.0, 1)}});
   expectValid(*snapshot);
   EXPECT_EQ(snapshot->belief.state(snapshot->belief.geometry().cellAt({2.0, 2.0})),
             CellState::kFree);

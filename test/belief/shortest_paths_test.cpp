@@ -22,7 +22,7 @@ Mask pathAt(const std::vector<Cell>& cells) {
 }
 
 ShortestPaths waysOver(const Mask& path, const Grid<float>& strength,
-              const std::atomic<bool>& stop = kNever) {
+                       const std::atomic<bool>& stop = kNever) {
   return shortestPathsFrom(path, distanceTransform(path), strength, stop);
 }
 

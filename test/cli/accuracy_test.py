@@ -10,8 +10,10 @@ import subprocess
 import sys
 import unittest
 
-import junit
-from command_line_case import CommandLine
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
+
+import junit  # noqa: E402
+from command_line_case import CommandLine  # noqa: E402
 
 SCRIPT = pathlib.Path(__file__).resolve().parent.parent.parent / "scripts" / "accuracy"
 RECORDINGS = {"turtlebot_home_a": ["two_routers", "one_router"], "ble_flat": ["survey"]}

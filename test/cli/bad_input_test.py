@@ -6,8 +6,13 @@ Each run must end with status 1, a message that names file and line, option or p
 output directory as it was before.
 """
 
-import junit
-from command_line_case import ACCESS_POINTS, FAR, HEADER, NEAR, STRANGER, CommandLine, rows
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
+
+import junit  # noqa: E402
+from command_line_case import ACCESS_POINTS, FAR, HEADER, NEAR, STRANGER, CommandLine, rows  # noqa: E402
 
 
 class BadReadings(CommandLine):
@@ -123,15 +128,15 @@ class BadConfig(CommandLine):
         self.check("map: {resolution: 0}", "map/resolution must be finite and positive; it is 0")
 
     def test_wrong_type(self):
-        self.check("rssi: {window: wide}", "rssi/window must be a whole number")
-        self.check("rssi: {window: 2.5}", "rssi/window must be a whole number")
+        self.check("k_visibility: {window: wide}", "k_visibility/window must be a whole number")
+        self.check("k_visibility: {window: 2.5}", "k_visibility/window must be a whole number")
         self.check("map: {resolution: [1, 2]}", "map/resolution must be a number")
 
     def test_every_problem_is_named(self):
         self.check("map: {resolution: .nan, margin: -1}\n"
-                   "rssi: {window: 4, filter: mode, walls: many}\n"
+                   "k_visibility: {window: 4, filter: mode, wall_count: many}\n"
                    "belief: {free_threshold: 0.9, occupied_threshold: 0.2}\n",
-                   "map/resolution", "map/margin", "rssi/window", "rssi/filter", "rssi/walls",
+                   "map/resolution", "map/margin", "k_visibility/window", "k_visibility/filter", "k_visibility/wall_count",
                    "belief/free_threshold")
 
     def test_malformed(self):

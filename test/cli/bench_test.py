@@ -14,8 +14,10 @@ import sys
 import time
 import unittest
 
-import junit
-from command_line_case import CommandLine
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
+
+import junit  # noqa: E402
+from command_line_case import CommandLine  # noqa: E402
 
 MAPS = ["tomography, fused belief", "tomography, shifted radio", "tomography, no radio",
         "k_visibility, K-means k", "k_visibility, true k", "k_visibility, shifted radio",
@@ -118,7 +120,7 @@ class Resuming(Bench):
 
     def test_what_decides_a_recording_tells_it_from_others(self):
         base = {"--generate": 1, "--noise": "none"}
-        config = self.write("config.yaml", "rssi: {window: 7}")
+        config = self.write("config.yaml", "k_visibility: {window: 7}")
         known = 0
         for more in ({}, {"--seeds": 2}, {"--noise": "low"}, {"--path": "sparse"},
                      {"--access-points": 2}, {"--config": config}, {"--generate": 2}):

@@ -12,8 +12,10 @@ import subprocess
 import sys
 import unittest
 
-import junit
-from command_line_case import HEADER, MAP_FILES, NEAR, STRANGER, CommandLine, rows
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
+
+import junit  # noqa: E402
+from command_line_case import HEADER, MAP_FILES, NEAR, STRANGER, CommandLine, rows  # noqa: E402
 
 
 class Help(CommandLine):
@@ -119,9 +121,9 @@ class GoodInput(CommandLine):
         self.assertIn(STRANGER + ": 2 readings", run.stderr)
 
     def test_a_misspelt_setting_is_pointed_out(self):
-        config = self.write("config.yaml", "rssi: {windw: 7}")
+        config = self.write("config.yaml", "k_visibility: {windw: 7}")
         run = self.good(self.map("--config", config))
-        for words in ("config.yaml", "rssi/windw", "rssi/window"):
+        for words in ("config.yaml", "k_visibility/windw", "k_visibility/window"):
             self.assertIn(words, run.stderr)
 
     def test_evaluates_what_it_made(self):

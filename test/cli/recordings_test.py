@@ -14,7 +14,9 @@ import sys
 import tempfile
 import unittest
 
-import junit
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
+
+import junit  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 RECORDINGS = pathlib.Path(os.environ.get("SFW_SHARED", ROOT.parent / "shared"),

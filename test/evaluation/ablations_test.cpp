@@ -41,7 +41,7 @@ TEST(Controls, WithoutRadioOnlyTheFootprintIsLeftOfWallCounts) {
   access_point.position = at(5.0, 5.0);
   Config config;
   config.method = "k_visibility";
-  config.inference.footprint_radius = 0.0;  // the cells of the path alone
+  config.path.footprint_radius_m = 0.0;  // the cells of the path alone
   EvaluationInput input = rooms();
   const AblationMetrics controls = evaluateControls(input, twoRadios(true), {access_point}, config);
   ASSERT_EQ(controls.shifted_radio.size(), static_cast<std::size_t>(kRadioShifts));

@@ -69,9 +69,8 @@ TEST(Benchmark, TheControlsHearLessThanTheMethod) {
 }
 
 TEST(Benchmark, AMethodSelectsItself) {
-  std::vector<BenchmarkMethod> methods{{"wide", "as shipped", false, [](Config& config) {
-                                          config.inference.footprint_radius = 0.4;
-                                        }}};
+  std::vector<BenchmarkMethod> methods{
+      {"wide", "as shipped", false, [](Config& config) { config.path.footprint_radius_m = 0.4; }}};
   const auto maps = runBenchmark(drive(), methods, Config());
   EXPECT_EQ(maps.front().made_by, "wide, as shipped");
   EXPECT_EQ(makersOf(maps).size(), std::size_t{1 + kRadioShifts + 1 + 2});

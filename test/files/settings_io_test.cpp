@@ -63,8 +63,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 TEST(Validate, AsksForPositiveNumbers) {
   for (const std::string name :
-       {"map/resolution", "map/margin", "map/growth_step", "rssi/min_wall_loss",
-        "inference/max_gap", "inference/wall_thickness", "octomap/wall_height",
+       {"map/resolution", "map/margin", "map/growth_step", "k_visibility/min_wall_loss",
+        "path/max_gap", "k_visibility/wall_thickness", "octomap/wall_height",
         "octomap/robot_height", "ros/jump_distance", "ros/jump_angle", "ros/publish_rate",
         "ros/tf_cache"}) {
     for (const double bad : {0.0, -1.0, kNaN, kInfinity}) {
@@ -76,7 +76,7 @@ TEST(Validate, AsksForPositiveNumbers) {
 
 TEST(Validate, AsksForNumbersThatAreNotNegative) {
   for (const std::string name :
-       {"rssi/path_loss_exponent", "inference/footprint_radius", "ros/transform_timeout"}) {
+       {"k_visibility/path_loss_exponent", "path/footprint_radius", "ros/transform_timeout"}) {
     for (const double bad : {-1e-9, kNaN, kInfinity}) {
       EXPECT_EQ(brokenBy(name, bad), Names{name}) << bad;
     }
@@ -86,7 +86,7 @@ TEST(Validate, AsksForNumbersThatAreNotNegative) {
 
 TEST(Validate, AsksForProbabilities) {
   for (const std::string name :
-       {"inference/wall_density", "belief/free_threshold", "belief/occupied_threshold"}) {
+       {"k_visibility/wall_prior", "belief/free_threshold", "belief/occupied_threshold"}) {
     for (const double bad : {0.0, 1.0, -0.5, 2.0, kNaN}) {
       EXPECT_TRUE(contains(brokenBy(name, bad).front(), name)) << bad;
     }
@@ -98,27 +98,32 @@ TEST(Validate, AsksForWholeNumbersInTheirRange) {
     EXPECT_EQ(brokenBy(name, std::int64_t{0}), Names{name});
     EXPECT_EQ(brokenBy(name, std::int64_t{1}), Names());
   }
-  EXPECT_EQ(brokenBy("rssi/walls", std::int64_t{-1}), Names{"rssi/walls"});
-  EXPECT_EQ(brokenBy("rssi/walls", std::int64_t{21}), Names{"rssi/walls"});
-  EXPECT_EQ(brokenBy("rssi/walls", std::int64_t{20}), Names());
-  EXPECT_EQ(brokenBy("rssi/max_walls", std::int64_t{0}), Names{"rssi/max_walls"});
-  EXPECT_EQ(brokenBy("rssi/max_walls", std::int64_t{21}), Names{"rssi/max_walls"});
+  EXPECT_EQ(brokenBy("k_visibility/wall_count", std::int64_t{-1}),
+            Names{"k_visibility/wall_count"});
+  EXPECT_EQ(brokenBy("k_visibility/wall_count", std::int64_t{21}),
+            Names{"k_visibility/wall_count"});
+  EXPECT_EQ(brokenBy("k_visibility/wall_count", std::int64_t{20}), Names());
+  EXPECT_EQ(brokenBy("k_visibility/max_wall_count", std::int64_t{0}),
+            Names{"k_visibility/max_wall_count"});
+  EXPECT_EQ(brokenBy("k_visibility/max_wall_count", std::int64_t{21}),
+            Names{"k_visibility/max_wall_count"});
   for (const std::int64_t directions : {0, 3, 10}) {
-    EXPECT_EQ(brokenBy("tomography/directions", directions), Names{"tomography/directions"});
+    EXPECT_EQ(brokenBy("tomography/wall_directions", directions),
+              Names{"tomography/wall_directions"});
   }
-  EXPECT_EQ(brokenBy("tomography/directions", std::int64_t{8}), Names());
+  EXPECT_EQ(brokenBy("tomography/wall_directions", std::int64_t{8}), Names());
 }
 
 TEST(Validate, AsksForAnOddWindow) {
   for (const std::int64_t bad : {-1, 0, 2, 10}) {
-    EXPECT_EQ(brokenBy("rssi/window", bad), Names{"rssi/window"}) << bad;
+    EXPECT_EQ(brokenBy("k_visibility/window", bad), Names{"k_visibility/window"}) << bad;
   }
-  EXPECT_EQ(brokenBy("rssi/window", std::int64_t{1}), Names());
+  EXPECT_EQ(brokenBy("k_visibility/window", std::int64_t{1}), Names());
 }
 
 TEST(Validate, AsksForKnownWordsFramesAndADirectory) {
-  EXPECT_EQ(brokenBy("rssi/filter", std::string("kalman")), Names{"rssi/filter"});
-  EXPECT_EQ(brokenBy("rssi/filter", std::string("mean")), Names());
+  EXPECT_EQ(brokenBy("k_visibility/filter", std::string("kalman")), Names{"k_visibility/filter"});
+  EXPECT_EQ(brokenBy("k_visibility/filter", std::string("mean")), Names());
   for (const std::string name : {"ros/map_frame", "ros/antenna_frame", "ros/odom_frame"}) {
     EXPECT_EQ(brokenBy(name, std::string()), Names{name});
     EXPECT_EQ(brokenBy(name, std::string("/map")), Names{name});
@@ -134,22 +139,23 @@ TEST(Validate, AsksForThresholdsThatAreApart) {
 }
 
 TEST(Validate, AsksForNoSaturationOrOneThatLeavesSomething) {
-  EXPECT_EQ(brokenBy("tomography/saturation", 0.5), Names{"tomography/saturation"});
-  EXPECT_EQ(brokenBy("tomography/saturation", 1.0), Names());
-  EXPECT_EQ(brokenBy("tomography/saturation", 0.0), Names());
+  EXPECT_EQ(brokenBy("tomography/max_total_wall_loss", 0.5),
+            Names{"tomography/max_total_wall_loss"});
+  EXPECT_EQ(brokenBy("tomography/max_total_wall_loss", 1.0), Names());
+  EXPECT_EQ(brokenBy("tomography/max_total_wall_loss", 0.0), Names());
 }
 
 TEST(Validate, NamesAllProblemsAtOnceWithTheirValues) {
   Config config;
-  config.map.resolution = -0.25;
-  config.rssi.filter = "kalman";
-  config.rssi.window = 4;
+  config.map.resolution_m = -0.25;
+  config.k_visibility.filter = "kalman";
+  config.k_visibility.window = 4;
   config.belief.occupied_threshold = 1.5;
   const std::vector<std::string> problems = validate(config);
   ASSERT_EQ(problems.size(), 4U);
   EXPECT_TRUE(contains(problems[0], "map/resolution") && contains(problems[0], "-0.25"));
-  EXPECT_TRUE(contains(problems[1], "rssi/filter") && contains(problems[1], "'kalman'"));
-  EXPECT_TRUE(contains(problems[2], "rssi/window") && contains(problems[2], "4"));
+  EXPECT_TRUE(contains(problems[1], "k_visibility/filter") && contains(problems[1], "'kalman'"));
+  EXPECT_TRUE(contains(problems[2], "k_visibility/window") && contains(problems[2], "4"));
   EXPECT_TRUE(contains(problems[3], "belief/occupied_threshold"));
 }
 
@@ -199,7 +205,8 @@ TEST(ShippedConfig, LoadsWhateverItIs) {
       EXPECT_FALSE(readAccessPoints(file).access_points.empty()) << file;
       ++tables;
     }
-    if (yaml["map"] || yaml["rssi"] || yaml["inference"] || yaml["belief"]) {
+    if (yaml["map"] || yaml["path"] || yaml["k_visibility"] || yaml["tomography"] ||
+        yaml["belief"]) {
       EXPECT_EQ(readConfig(file).warnings, std::vector<std::string>()) << file;
     }
   }
@@ -213,9 +220,9 @@ ConfigReading fromText(const std::string& text) { return configFromYaml(YAML::Lo
 TEST(ConfigReader, ReadsOverTheDefaults) {
   const Config config =
       fromText("map: {resolution: 0.1, max_cells: 1e6}\nros: {map_frame: odom}").config;
-  EXPECT_EQ(config.map.resolution, 0.1);
+  EXPECT_EQ(config.map.resolution_m, 0.1);
   EXPECT_EQ(config.map.max_cells, 1000000);
-  EXPECT_EQ(config.map.margin, Config().map.margin);
+  EXPECT_EQ(config.map.margin_m, Config().map.margin_m);
   EXPECT_EQ(config.ros.map_frame, "odom");
 }
 
@@ -233,7 +240,7 @@ TEST(ConfigReader, NamesTheNearestSettingOfAnUnknownKey) {
   const auto warnings = fromText("map: {resolutoin: 0.1}\nwindow: 3").warnings;
   ASSERT_EQ(warnings.size(), 2U);
   EXPECT_EQ(warnings[0], "map/resolutoin is not a setting; did you mean map/resolution?");
-  EXPECT_TRUE(contains(warnings[1], "window is not a setting; did you mean rssi/window"));
+  EXPECT_TRUE(contains(warnings[1], "window is not a setting; did you mean k_visibility/window"));
   EXPECT_EQ(fromText("mapping: {belief: {free_threshold: 0.3}}").warnings,
             std::vector<std::string>{
                 "mapping/belief is not read: the group belief must stand at the top"});
@@ -243,14 +250,14 @@ TEST(ConfigReader, NamesEveryWrongTypeAndEveryBrokenRuleAtOnce) {
   const std::string complaint = complaintOf([] {
     fromText(
         "map: {resolution: fine, max_cells: 2.5, margin: -1}\n"
-        "rssi: {filter: [median], window: .nan}\n"
+        "k_visibility: {filter: [median], window: .nan}\n"
         "ros: {publish_rate: }");
   });
   EXPECT_TRUE(contains(complaint, "map/resolution must be a number"));
   EXPECT_TRUE(contains(complaint, "map/max_cells must be a whole number"));
   EXPECT_TRUE(contains(complaint, "map/margin must be finite and positive; it is -1"));
-  EXPECT_TRUE(contains(complaint, "rssi/filter must be a text"));
-  EXPECT_TRUE(contains(complaint, "rssi/window must be a whole number"));
+  EXPECT_TRUE(contains(complaint, "k_visibility/filter must be a text"));
+  EXPECT_TRUE(contains(complaint, "k_visibility/window must be a whole number"));
   EXPECT_TRUE(contains(complaint, "ros/publish_rate must be a number"));
   EXPECT_EQ(lines(complaint), 6U) << complaint;
 }

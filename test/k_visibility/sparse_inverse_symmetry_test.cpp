@@ -37,8 +37,8 @@ std::vector<CountedPath> randomWalks(std::uint32_t seed) {
 /// Compares the map of a world moved by `move_point` with the map of the world itself.
 template <class MovePoint>
 void expectMovedMap(MovePoint&& move_point) {
-  Config::Inference settings = coarseSettings();
-  settings.max_gap = 2.0;
+  SparseInverseConfig settings = coarseSettings();
+  settings.max_gap_m = 2.0;
   const GridGeometry geometry(1.0, {0, 0}, static_cast<std::int64_t>(kSide),
                               static_cast<std::int64_t>(kSide));
   for (std::uint32_t seed = 1; seed <= 5; ++seed) {
@@ -71,8 +71,8 @@ TEST(Symmetry, ARotatedWorldGivesARotatedMap) {
 }
 
 TEST(Symmetry, APathDrivenBackwardsGivesTheSameMap) {
-  Config::Inference settings = coarseSettings();
-  settings.max_gap = 2.0;
+  SparseInverseConfig settings = coarseSettings();
+  settings.max_gap_m = 2.0;
   const GridGeometry geometry(1.0, {0, 0}, 24, 24);
   const std::vector<CountedPath> walks = randomWalks(9);
   std::vector<CountedPath> backwards = walks;

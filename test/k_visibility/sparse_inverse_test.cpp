@@ -18,9 +18,9 @@ using test::rowsOf;
 // ---- The four rules ----
 
 TEST(RuleOne, FreesThePathWithTheRobotsFootprint) {
-  Config::Inference settings = coarseSettings();
-  settings.footprint_radius = 1.5;
-  settings.max_gap = 5.0;
+  SparseInverseConfig settings = coarseSettings();
+  settings.footprint_radius_m = 1.5;
+  settings.max_gap_m = 5.0;
   const std::atomic<bool> never{false};
   const GridGeometry geometry(1.0, {0, 0}, 10, 7);
   const std::vector<Position> path{{2.5, 3.5}, {7.5, 3.5}};
@@ -35,8 +35,8 @@ TEST(RuleOne, FreesThePathWithTheRobotsFootprint) {
 }
 
 TEST(RuleOne, LeavesOutGapsOfThePath) {
-  Config::Inference settings = coarseSettings();
-  settings.max_gap = 2.0;
+  SparseInverseConfig settings = coarseSettings();
+  settings.max_gap_m = 2.0;
   const std::atomic<bool> never{false};
   const std::vector<Position> path{{0.5, 0.5}, {2.5, 0.5}, {6.5, 0.5}, {7.5, 0.5}};
   EXPECT_EQ(rowsOf(inferOccupancy(GridGeometry(1.0, {0, 0}, 9, 1), {}, path, {}, settings, never)),
@@ -44,9 +44,9 @@ TEST(RuleOne, LeavesOutGapsOfThePath) {
 }
 
 TEST(RuleOne, FreesTheRobotsCellHoweverSmallTheRobot) {
-  Config::Inference settings = coarseSettings();
-  settings.footprint_radius = 0.0;
-  settings.max_gap = 9.0;
+  SparseInverseConfig settings = coarseSettings();
+  settings.footprint_radius_m = 0.0;
+  settings.max_gap_m = 9.0;
   const std::atomic<bool> never{false};
   const std::vector<Position> path{{0.1, 0.1}, {4.9, 0.1}};
   EXPECT_EQ(rowsOf(inferOccupancy(GridGeometry(1.0, {0, 0}, 6, 1), {}, path, {}, settings, never)),
@@ -54,8 +54,8 @@ TEST(RuleOne, FreesTheRobotsCellHoweverSmallTheRobot) {
 }
 
 TEST(RuleOne, KeepsContactCellsUnderTheFootprint) {
-  Config::Inference settings = coarseSettings();
-  settings.footprint_radius = 1.5;
+  SparseInverseConfig settings = coarseSettings();
+  settings.footprint_radius_m = 1.5;
   const Rows scene{"?????",  //
                    "?????",  //
                    "??0??",  //
@@ -202,8 +202,8 @@ TEST(Fusion, DoesNotDependOnTheOrderOfAccessPoints) {
 
 TEST(Fusion, KeepsFreeSpaceFreeForAnyWallDensity) {
   for (const double density : {1e-12, 1e-6, 0.02, 0.5, 0.99, 1.0 - 1e-12}) {
-    Config::Inference settings = coarseSettings();
-    settings.wall_density = density;
+    SparseInverseConfig settings = coarseSettings();
+    settings.wall_prior = density;
     EXPECT_EQ(rowsOf(inferred(Rows{"R???0"}, settings)), (Rows{"?...."})) << density;
   }
 }

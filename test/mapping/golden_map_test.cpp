@@ -43,7 +43,7 @@ bool isBehindWall(const Position& a, const Position& b) {
 
 Mapper mapperOfTwoRooms() {
   Config config;
-  config.map.resolution = 0.1;
+  config.map.resolution_m = 0.1;
   const std::vector<AccessPoint> access_points{accessPoint(1, 0.8, 0.9), accessPoint(2, 7.1, 2.2)};
   Mapper mapper(config, access_points);
   std::int64_t stamp_s = 0;

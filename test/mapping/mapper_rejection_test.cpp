@@ -49,9 +49,9 @@ TEST(Mapper, RefusesWhatItCannotUseAndKeepsItsMap) {
   EXPECT_EQ(mapper.geometry(), geometry);
   EXPECT_EQ(map_of(mapper), before);
   const std::map<InsertResult, std::size_t> expected{{InsertResult::kPositionNotFinite, 4},
-                                                  {InsertResult::kPositionTooFar, 4},
-                                                  {InsertResult::kRssiNotFinite, 2},
-                                                  {InsertResult::kRssiOutOfRange, 5}};
+                                                     {InsertResult::kPositionTooFar, 4},
+                                                     {InsertResult::kRssiNotFinite, 2},
+                                                     {InsertResult::kRssiOutOfRange, 5}};
   EXPECT_EQ(mapper.rejections().count, expected);
 }
 
@@ -81,15 +81,15 @@ TEST(Mapper, RefusesMoreReadingsThanAllowed) {
 TEST(Mapper, SaysWhyForEachReason) {
   for (const InsertResult reason :
        {InsertResult::kAccepted, InsertResult::kPositionNotFinite, InsertResult::kPositionTooFar,
-        InsertResult::kRssiNotFinite, InsertResult::kRssiOutOfRange, InsertResult::kUnknownAccessPoint,
-        InsertResult::kTooManyReadings}) {
+        InsertResult::kRssiNotFinite, InsertResult::kRssiOutOfRange,
+        InsertResult::kUnknownAccessPoint, InsertResult::kTooManyReadings}) {
     EXPECT_STRNE(toString(reason), "");
   }
 }
 
 TEST(Mapper, RefusesSettingsAndTablesThatItCannotUse) {
   Config broken;
-  broken.map.resolution = kNaN;
+  broken.map.resolution_m = kNaN;
   EXPECT_THROW(Mapper(broken, {accessPoint(1, 0, 0)}), InputError);
   EXPECT_THROW(Mapper(Config(), {}), InputError);
   EXPECT_THROW(Mapper(Config(), {accessPoint(1, 0, 0), accessPoint(1, 1, 1)}), InputError);

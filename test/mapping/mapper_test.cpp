@@ -155,7 +155,7 @@ TEST(Mapper, MakesTheSameMapOnEveryMachine) {
   Config config;
   config.method = "k_visibility";
   config.belief.free_threshold = 0.35;
-  config.rssi.path_loss_exponent = 0.0;
+  config.k_visibility.path_loss_exponent = 0.0;
   Mapper mapper(config, {accessPoint(1, 0, 0), accessPoint(2, 3, 2)});
   std::int64_t x = -53;
   std::int64_t y = 7;

@@ -87,9 +87,9 @@ std::shared_ptr<const Snapshot> mapOf(Move&& move, double wall_loss_db = 10.0) {
   Config config;
   config.method = "k_visibility";
   config.belief.free_threshold = 0.35;
-  config.rssi.path_loss_exponent = 0.0;
-  config.rssi.window = 1;
-  config.inference.wall_thickness = kWallThickness;
+  config.k_visibility.path_loss_exponent = 0.0;
+  config.k_visibility.window = 1;
+  config.k_visibility.wall_thickness_m = kWallThickness;
   const Grid<CellState> plan = rooms();
   std::vector<Position> moved;
   for (const Position& position : kAccessPoints) {

@@ -73,9 +73,9 @@ void expectThePicture(const octomap::OcTree* tree, const BeliefMap& belief,
   for (int level = -2; level < 30; ++level) {
     const double z = 0.1 * level + 0.05;
     Rows expected = only(' ', kPicture);
-    if (z > 0.0 && z < config.robot_height) {
+    if (z > 0.0 && z < config.robot_height_m) {
       expected = kPicture;
-    } else if (z > 0.0 && z < config.wall_height) {
+    } else if (z > 0.0 && z < config.wall_height_m) {
       expected = only('#', kPicture);
     }
     EXPECT_EQ(layer(*tree, belief.geometry(), z), expected) << "at a height of " << z;
@@ -84,8 +84,8 @@ void expectThePicture(const octomap::OcTree* tree, const BeliefMap& belief,
 
 TEST(OctomapExport, FillsWallsAndTheRobotsHeight) {
   Config::Octomap config;
-  config.wall_height = 2.0;
-  config.robot_height = 0.5;
+  config.wall_height_m = 2.0;
+  config.robot_height_m = 0.5;
   const BeliefMap belief = beliefOf(kPicture);
   expectThePicture(readBinaryFile(belief, config).get(), belief, config);
   expectThePicture(readFullFile(belief, config).get(), belief, config);
@@ -102,8 +102,8 @@ TEST(OctomapExport, LiesOnTheMapsLatticeAnywhere) {
 
 TEST(OctomapExport, HasALayerHoweverLowTheRobot) {
   Config::Octomap config;
-  config.wall_height = 0.001;
-  config.robot_height = 0.001;
+  config.wall_height_m = 0.001;
+  config.robot_height_m = 0.001;
   const BeliefMap belief = beliefOf(kPicture);
   const auto tree = readBinaryFile(belief, config);
   ASSERT_NE(tree, nullptr);
@@ -164,7 +164,7 @@ TEST(OctomapExport, RefusesAMapBeyondOctomapsReach) {
   EXPECT_THROW(toOctomap(beliefOf(kPicture, {0.0, -3276.9}), {}), std::invalid_argument);
   EXPECT_NO_THROW(toOctomap(beliefOf(kPicture, {3276.1, -3276.8}), {}));
   Config::Octomap tall;
-  tall.wall_height = 1e12;
+  tall.wall_height_m = 1e12;
   EXPECT_THROW(toOctomap(beliefOf(kPicture), tall), std::invalid_argument);
 }
 

@@ -186,7 +186,7 @@ TEST(PathCorrector, AWrongPoseAtTheStartMovesAllAlike) {
 
 TEST(PathCorrector, AJumpOfARobotAtRestMovesAllAlike) {
   const std::vector<OdometryCorrection> fixes = {{kStep, {1.0, 0.0}, {0.0, 0.0}, 0.0},
-                                  {2 * kStep, {0.0, 3.0}, {0.0, 2.0}, M_PI / 2}};
+                                                 {2 * kStep, {0.0, 3.0}, {0.0, 2.0}, M_PI / 2}};
   const PathCorrection correction = correctionOf(fixes);
   EXPECT_LT((correction.moved(kStep, {1.0, 0.0}) - Position(0.0, 3.0)).norm(), 1e-12);
   // What it touched 0.2 m ahead turns with it.

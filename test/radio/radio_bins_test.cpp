@@ -28,10 +28,10 @@ TEST(RadioBins, HoldMeanPlaceMeanSignalAndCount) {
 
 TEST(RadioBins, AreInRowMajorOrderOnBothSidesOfTheOrigin) {
   const AccessPointBins heard = binnedHere({{{0.7, 0.7}, -1.0},
-                                             {{0.2, 0.7}, -2.0},
-                                             {{0.7, 0.2}, -3.0},
-                                             {{0.2, -0.2}, -4.0},
-                                             {{-0.2, -0.2}, -5.0}});
+                                            {{0.2, 0.7}, -2.0},
+                                            {{0.7, 0.2}, -3.0},
+                                            {{0.2, -0.2}, -4.0},
+                                            {{-0.2, -0.2}, -5.0}});
   std::vector<double> signals;
   for (const RadioBin& bin : heard.bins) {
     signals.push_back(bin.rssi_dbm);

@@ -30,7 +30,9 @@ class AccessPointsTest : public NodeletWorld {
     ros::NodeHandle node;
     subscribers_.push_back(node.subscribe<structure_from_wifi::AccessPoints>(
         name_ + "/access_points", 10,
-        [this](const structure_from_wifi::AccessPointsConstPtr& told) { reported_faults_ = told; }));
+        [this](const structure_from_wifi::AccessPointsConstPtr& told) {
+          reported_faults_ = told;
+        }));
     subscribers_.push_back(node.subscribe<visualization_msgs::MarkerArray>(
         name_ + "/markers", 10,
         [this](const visualization_msgs::MarkerArrayConstPtr& markers) { markers_ = markers; }));
@@ -169,8 +171,8 @@ TEST_F(AccessPointsTest, JudgesNothingFromAFewReadings) {
   drive(5);
   ASSERT_TRUE(spinUntil(
       [&] {
-        return reported_faults_ && !reported_faults_->access_points.empty() && reported_faults_->access_points[0].readings &&
-               markers_;
+        return reported_faults_ && !reported_faults_->access_points.empty() &&
+               reported_faults_->access_points[0].readings && markers_;
       },
       5.0));
   for (const structure_from_wifi::AccessPoint& access_point : reported_faults_->access_points) {

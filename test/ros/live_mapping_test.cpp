@@ -153,12 +153,12 @@ TEST_F(LiveMappingTest, AResetOutdatesTheMapThatIsBeingMade) {
 }
 
 TEST_F(LiveMappingTest, UnloadsWithinASecondWhileItSolvesForWalls) {
-  ros::param::set(name_ + "/mapping/tomography/members", 100);
+  ros::param::set(name_ + "/mapping/tomography/ensemble_size", 100);
   EXPECT_LT(secondsToUnloadAtWork(), 1.0);
 }
 
 TEST_F(LiveMappingTest, UnloadsWithinASecondWhileItDescribesCells) {
-  ros::param::set(name_ + "/mapping/tomography/members", 1);
+  ros::param::set(name_ + "/mapping/tomography/ensemble_size", 1);
   ros::param::set(name_ + "/mapping/map/resolution", 0.02);
   EXPECT_LT(secondsToUnloadAtWork(), 1.0);
 }

@@ -52,11 +52,11 @@ class Node(unittest.TestCase):
     def test_names_every_bad_parameter(self):
         self.refuses(
             {"access_points": TABLE, "map": {"resolution": 0.0, "margin": float("nan")},
-             "rssi": {"window": "wide", "filter": "mode"},
+             "k_visibility": {"window": "wide", "filter": "mode"},
              "belief": {"free_threshold": 0.9, "occupied_threshold": 0.2},
              "ros": {"map_frame": "/map"}},
-            *(NAME + "/" + name for name in ("map/resolution", "map/margin", "rssi/window",
-                                             "rssi/filter", "belief/free_threshold",
+            *(NAME + "/" + name for name in ("map/resolution", "map/margin", "k_visibility/window",
+                                             "k_visibility/filter", "belief/free_threshold",
                                              "ros/map_frame")))
 
     def test_names_every_bad_access_point(self):
@@ -72,9 +72,9 @@ class Node(unittest.TestCase):
         self.refuses({"access_points": TABLE + [far]}, NAME, "map/max_cells")
 
     def test_warns_of_a_misspelt_parameter(self):
-        node = self.start({"access_points": TABLE, "rssi": {"windw": 5}})
+        node = self.start({"access_points": TABLE, "k_visibility": {"windw": 5}})
         self.interrupt(node)
-        for word in (NAME + "/rssi/windw", "rssi/window"):
+        for word in (NAME + "/k_visibility/windw", "k_visibility/window"):
             self.assertIn(word, self.session.text_of(node))
 
     def test_ends_within_a_second(self):

@@ -43,7 +43,7 @@ inline Position centre(const FeatureScene& scene, std::int64_t x, std::int64_t y
 
 /// An access point in the middle of a cell, with a bin in the middle of each of some others.
 inline AccessPointBins accessPointAt(const FeatureScene& scene, Cell at,
-                                      const std::vector<Cell>& bins) {
+                                     const std::vector<Cell>& bins) {
   AccessPointBins access_point;
   access_point.position = centre(scene, at.x, at.y);
   for (const Cell bin : bins) {
@@ -85,7 +85,7 @@ inline CellFeatures described(const FeatureScene& scene) {
   }
   const std::atomic<bool> never{false};
   return extractCellFeatures({path, drivenIn(scene), scene.max_gap_m, scene.robot_radius_m},
-                       scene.access_points, {{}, strength, scene.ray_loss_db}, never);
+                             scene.access_points, {{}, strength, scene.ray_loss_db}, never);
 }
 
 /// One feature of all cells; not a number where a cell is not described.

@@ -31,9 +31,9 @@ inline Config rawConfig() {
   Config config;
   config.method = "k_visibility";
   config.belief.free_threshold = 0.35;
-  config.map.resolution = 0.1;
-  config.rssi.path_loss_exponent = 0.0;
-  config.rssi.window = 1;
+  config.map.resolution_m = 0.1;
+  config.k_visibility.path_loss_exponent = 0.0;
+  config.k_visibility.window = 1;
   return config;
 }
 

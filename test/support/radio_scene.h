@@ -11,12 +11,12 @@ namespace sfw::test {
 
 /// Settings with which cells of 1 m make readable pictures: a wall is a cell thick, the robot
 /// covers the cell it stands in, and neighbouring poses are not joined.
-inline Config::Inference coarseSettings() {
-  Config::Inference settings;
-  settings.footprint_radius = 0.4;
-  settings.max_gap = 0.5;
-  settings.wall_thickness = 1.0;
-  settings.wall_density = 0.2;
+inline SparseInverseConfig coarseSettings() {
+  SparseInverseConfig settings;
+  settings.footprint_radius_m = 0.4;
+  settings.max_gap_m = 0.5;
+  settings.wall_thickness_m = 1.0;
+  settings.wall_prior = 0.2;
   return settings;
 }
 
@@ -50,7 +50,7 @@ inline std::vector<Position> pathOf(const std::vector<CountedPath>& heard) {
 }
 
 inline Grid<float> inferred(const GridGeometry& geometry, const std::vector<CountedPath>& heard,
-                            const Config::Inference& settings = coarseSettings(),
+                            const SparseInverseConfig& settings = coarseSettings(),
                             const std::vector<Contact>& contacts = {}) {
   const std::atomic<bool> never{false};
   return inferOccupancy(geometry, heard, pathOf(heard), contacts, settings, never);
@@ -58,7 +58,7 @@ inline Grid<float> inferred(const GridGeometry& geometry, const std::vector<Coun
 
 /// The map of one access point's picture.
 inline Grid<float> inferred(const std::vector<std::string>& rows,
-                            const Config::Inference& settings = coarseSettings(),
+                            const SparseInverseConfig& settings = coarseSettings(),
                             const std::vector<Contact>& contacts = {}) {
   const GridGeometry geometry(1.0, {0.0, 0.0}, static_cast<std::int64_t>(rows.front().size()),
                               static_cast<std::int64_t>(rows.size()));

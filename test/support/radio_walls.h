@@ -34,10 +34,10 @@ inline bool crosses(const StraightWall& wall, Position a, Position b) {
 
 /// What is heard of an access point behind walls, with path loss of exponent 2 from -35 dBm at 1 m.
 inline AccessPointBins heardThrough(const std::vector<StraightWall>& walls,
-                                     const Position& access_point,
-                                     const std::vector<Position>& places,
-                                     double saturation_db = std::numeric_limits<double>::infinity(),
-                                     double noise_db = 0.0) {
+                                    const Position& access_point,
+                                    const std::vector<Position>& places,
+                                    double saturation_db = std::numeric_limits<double>::infinity(),
+                                    double noise_db = 0.0) {
   AccessPointBins heard;
   heard.position = access_point;
   heard.noise_db2 = 0.09 + noise_db * noise_db;

@@ -69,8 +69,8 @@ nlohmann::ordered_json toJson(const AblationMetrics& controls) {
 
 /// The controls, if asked for: they map the readings again.
 std::optional<AblationMetrics> controlsFor(const EvaluateOptions& options,
-                                          const EvaluationInput& input,
-                                          const std::vector<Reading>& readings) {
+                                           const EvaluationInput& input,
+                                           const std::vector<Reading>& readings) {
   if (!options.controls) {
     return std::nullopt;
   }

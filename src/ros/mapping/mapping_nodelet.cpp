@@ -58,7 +58,7 @@ void MappingNodelet::loadParameters() {
   access_points_ = table.access_points;
   mapper_.emplace(config_, access_points_);
   queue_.emplace(config_.ros);
-  transforms_.emplace(ros::Duration(config_.ros.tf_cache));
+  transforms_.emplace(ros::Duration(config_.ros.tf_cache_s));
 }
 
 void MappingNodelet::advertise() {
@@ -111,8 +111,8 @@ void MappingNodelet::receiveConnection(const wireless_msgs::Connection& connecti
 
 void MappingNodelet::receiveContact(const std_msgs::Bool& contact) {
   if (contact.data != 0) {
-    queue_->push(frontContact(config_.ros.antenna_frame, config_.inference.footprint_radius,
-                              ros::Time::now()));
+    queue_->push(
+        frontContact(config_.ros.antenna_frame, config_.path.footprint_radius_m, ros::Time::now()));
   }
 }
 
@@ -168,13 +168,14 @@ void MappingNodelet::warnOfLosses(const ObservationQueue::Outcome& outcome) {
   if (outcome.expired > 0) {
     mapper_->recordRejected("no transform at their stamp", outcome.expired);
     NODELET_WARN_STREAM_THROTTLE(
-        kWarningPeriod, outcome.expired
-                            << " readings dropped: no transform from " << config_.ros.antenna_frame
-                            << " to " << config_.ros.map_frame << " at their stamp within "
-                            << config_.ros.transform_timeout << " s; tf says: " << outcome.reason);
+        kWarningPeriod,
+        outcome.expired << " readings dropped: no transform from " << config_.ros.antenna_frame
+                        << " to " << config_.ros.map_frame << " at their stamp within "
+                        << config_.ros.transform_timeout_s << " s; tf says: " << outcome.reason);
   }
   if (outcome.crowded_out > 0) {
-    mapper_->recordRejected("more than ros/max_waiting waited for a transform", outcome.crowded_out);
+    mapper_->recordRejected("more than ros/max_waiting waited for a transform",
+                            outcome.crowded_out);
     NODELET_WARN_STREAM_THROTTLE(kWarningPeriod, outcome.crowded_out
                                                      << " readings dropped: more than "
                                                         "ros/max_waiting wait for a transform");
@@ -191,10 +192,12 @@ void MappingNodelet::stepMapping() {
     return;
   }
   const std::optional<OdometryCorrection> latest = latestFix(config_.ros, *transforms_);
-  const bool jumped = latest && last_map_correction_ &&
-                      PathCorrector::isJump(*last_map_correction_, *latest, jumpTolerance(config_.ros));
+  const bool jumped =
+      latest && last_map_correction_ &&
+      PathCorrector::isJump(*last_map_correction_, *latest, jumpTolerance(config_.ros));
   if (changed_ || jumped) {
-    next_publication_ = ros::SteadyTime::now() + ros::WallDuration(1.0 / config_.ros.publish_rate);
+    next_publication_ =
+        ros::SteadyTime::now() + ros::WallDuration(1.0 / config_.ros.publish_rate_hz);
     publishMap(Judging::kWhatChanged);
   }
 }

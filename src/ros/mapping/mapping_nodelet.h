@@ -112,12 +112,13 @@ class MappingNodelet : public nodelet::Nodelet {
   std::mutex publishing_;  // held while a map is published; a reset is one step to it
   ros::Time last_now_;
   ros::SteadyTime next_publication_;
-  DataChecker judge_;                                           // in the mapping thread, as is the next
+  DataChecker judge_;  // in the mapping thread, as is the next
   std::set<std::pair<MapNote::Kind, std::string>> reported_faults_;  // faults, since the last reset
   std::atomic<bool> clear_reported_{false};
   std::atomic<bool> received_{false};  // anything from a radio
   ros::SteadyTimer silence_timer_;
-  std::optional<OdometryCorrection> last_map_correction_;      // the last that tf said when a map was made
+  std::optional<OdometryCorrection>
+      last_map_correction_;           // the last that tf said when a map was made
   std::atomic<bool> changed_{false};  // since the last map was made
   std::atomic<bool> stop_{false};
   std::thread placing_thread_, mapping_thread_;

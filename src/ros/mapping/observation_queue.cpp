@@ -18,7 +18,7 @@ double yawOf(const geometry_msgs::Quaternion& q) {
 
 /// Where antenna and odometry were at a time, if tf knows both.
 std::optional<OdometryCorrection> fixAt(const ros::Time& stamp, const Config::Ros& config,
-                         const tf2::BufferCore& transforms) {
+                                        const tf2::BufferCore& transforms) {
   if (config.odom_frame == config.map_frame || stamp.isZero() ||
       !transforms.canTransform(config.map_frame, config.odom_frame, stamp) ||
       !transforms.canTransform(config.map_frame, config.antenna_frame, stamp)) {
@@ -29,8 +29,9 @@ std::optional<OdometryCorrection> fixAt(const ros::Time& stamp, const Config::Ro
   };
   const geometry_msgs::Transform map_from_odom = mapFrom(config.odom_frame);
   return OdometryCorrection{static_cast<std::int64_t>(stamp.toNSec()),
-             toVector(mapFrom(config.antenna_frame).translation).head<2>(),
-             toVector(map_from_odom.translation).head<2>(), yawOf(map_from_odom.rotation)};
+                            toVector(mapFrom(config.antenna_frame).translation).head<2>(),
+                            toVector(map_from_odom.translation).head<2>(),
+                            yawOf(map_from_odom.rotation)};
 }
 
 PlacedObservation placed(const Observation& observation, const Eigen::Vector3d& sensor_in_map,
@@ -67,7 +68,8 @@ std::optional<PlacedObservation> place(const Observation& observation, const Con
   }
 }
 
-std::optional<OdometryCorrection> latestFix(const Config::Ros& config, const tf2::BufferCore& transforms) {
+std::optional<OdometryCorrection> latestFix(const Config::Ros& config,
+                                            const tf2::BufferCore& transforms) {
   try {
     if (!transforms.canTransform(config.map_frame, config.antenna_frame, ros::Time())) {
       return std::nullopt;
@@ -99,7 +101,7 @@ void insert(const PlacedObservation& observation, Mapper& mapper, PathCorrector&
 }
 
 PathCorrector::Tolerance jumpTolerance(const Config::Ros& config) {
-  return {config.jump_distance, config.jump_angle};
+  return {config.jump_distance_m, config.jump_angle_rad};
 }
 
 void ObservationQueue::push(Observation observation) {
@@ -119,7 +121,7 @@ void ObservationQueue::clear() {
 bool ObservationQueue::isExpired(const Waiting& waiting, const ros::Time& now) const {
   // Not by ros::Duration: it throws where stamps lie 68 years apart.
   const auto is_long_before_now = [&](const ros::Time& time) {
-    return now.toSec() - time.toSec() > config_.transform_timeout;
+    return now.toSec() - time.toSec() > config_.transform_timeout_s;
   };
   return is_long_before_now(waiting.observation.stamp) ||
          (!waiting.since.isZero() && is_long_before_now(waiting.since));

@@ -31,7 +31,8 @@ std::optional<PlacedObservation> place(const Observation& observation, const Con
                                        const tf2::BufferCore& transforms, std::string& reason);
 
 /// The last that tf knows of the antenna's place and the odometry's correction.
-std::optional<OdometryCorrection> latestFix(const Config::Ros& config, const tf2::BufferCore& transforms);
+std::optional<OdometryCorrection> latestFix(const Config::Ros& config,
+                                            const tf2::BufferCore& transforms);
 
 /// Puts an observation into a mapper; the anchor gets the fix of what the mapper keeps.
 void insert(const PlacedObservation& observation, Mapper& mapper, PathCorrector& anchor);

@@ -28,7 +28,8 @@ struct Share {
 };
 
 /// Draws one of the choices that the row may still hold; the first if there is none left.
-RoomChoice draw(const std::vector<RoomChoice>& choices, const std::vector<Share>& row, PortableRandom& dice) {
+RoomChoice draw(const std::vector<RoomChoice>& choices, const std::vector<Share>& row,
+                PortableRandom& dice) {
   std::vector<int> weights;
   for (const RoomChoice& choice : choices) {
     const auto used = std::count_if(row.begin(), row.end(), [&](const Share& share) {

@@ -93,12 +93,12 @@ Box boxAround(const Building& building, const Eigen::Rotation2Dd& map_from_build
 }
 
 FloorPlan rasterised(const Building& building, const PlanGeneratorConfig& config,
-                const Eigen::Rotation2Dd& map_from_building) {
+                     const Eigen::Rotation2Dd& map_from_building) {
   // Centres of cells may fall on edges of walls; which side they are on must not hang on rounding.
   const Position nudge(1e-6, 1e-6);
   constexpr std::int64_t kMostCells = 64'000'000;
   FloorPlan plan(GridGeometry::covering(boxAround(building, map_from_building), config.resolution,
-                                   config.resolution, kMostCells));
+                                        config.resolution, kMostCells));
   const Eigen::Rotation2Dd building_from_map = map_from_building.inverse();
   Cell c;
   for (c.y = 0; c.y < plan.geometry.height(); ++c.y) {

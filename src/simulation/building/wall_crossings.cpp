@@ -81,7 +81,8 @@ Position middleOf(const GridGeometry& geometry, const Contact& contact) {
 
 }  // namespace
 
-std::vector<WallCrossing> wallsBetween(const FloorPlan& plan, const Position& from, const Position& to) {
+std::vector<WallCrossing> wallsBetween(const FloorPlan& plan, const Position& from,
+                                       const Position& to) {
   std::vector<WallCrossing> walls;
   for (const Run& run : runsBetween(plan, from, to)) {
     const Position middle =

@@ -22,7 +22,8 @@ struct WallCrossing {
 /// end of the line lies does not stand between them and is left out; unknown cells and all outside
 /// the plan are no wall. The same walls in both directions. The ends must lie within the range of
 /// Ray. O(cells crossed).
-std::vector<WallCrossing> wallsBetween(const FloorPlan& plan, const Position& from, const Position& to);
+std::vector<WallCrossing> wallsBetween(const FloorPlan& plan, const Position& from,
+                                       const Position& to);
 
 /// How many walls wallsBetween finds.
 int countWalls(const FloorPlan& plan, const Position& from, const Position& to);

@@ -10,8 +10,9 @@
 namespace sfw {
 namespace {
 
-constexpr std::array<NoiseLevel, 5> kLevels{NoiseLevel::kNone, NoiseLevel::kLow, NoiseLevel::kModerate,
-                                            NoiseLevel::kRealistic, NoiseLevel::kHard};
+constexpr std::array<NoiseLevel, 5> kLevels{NoiseLevel::kNone, NoiseLevel::kLow,
+                                            NoiseLevel::kModerate, NoiseLevel::kRealistic,
+                                            NoiseLevel::kHard};
 
 /// What each recording draws anew on the levels that imitate real homes.
 struct Draws {

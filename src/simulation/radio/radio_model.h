@@ -85,7 +85,8 @@ class RadioModel {
 
   /// @throw InputError naming every setting of `config` that is out of range and every access point
   /// outside the plan.
-  RadioModel(const FloorPlan& plan, const std::vector<Transmitter>& transmitters, const Config& config);
+  RadioModel(const FloorPlan& plan, const std::vector<Transmitter>& transmitters,
+             const Config& config);
 
   const std::vector<Transmitter>& transmitters() const { return transmitters_; }
   const std::vector<Furniture>& furniture() const { return furniture_; }

@@ -51,7 +51,8 @@ PlanOptions coarse() {
 // ---- HouseExpo ----
 
 TEST_F(PlanIo, HouseExpoOutlineBecomesFloorWithinWalls) {
-  const FloorPlan plan = readFloorPlan(house("[[0.1,0.1],[1.1,0.1],[1.1,0.6],[0.1,0.6]]"), coarse());
+  const FloorPlan plan =
+      readFloorPlan(house("[[0.1,0.1],[1.1,0.1],[1.1,0.6],[0.1,0.6]]"), coarse());
   EXPECT_EQ(pictureOf(plan), (Rows{"OOOOOOOOOOOO",  //
                                    "O..........O",  //
                                    "O..........O",  //
@@ -70,8 +71,8 @@ TEST_F(PlanIo, HouseExpoOutlineBecomesFloorWithinWalls) {
 
 TEST_F(PlanIo, SlitsAreWallAllThrough) {
   // A wall of 0.4 m from the top, with the floor below it.
-  const FloorPlan plan =
-      readFloorPlan(house("[[0,0],[2.4,0],[2.4,1],[1.4,1],[1.4,0.6],[1,0.6],[1,1],[0,1]]"), coarse());
+  const FloorPlan plan = readFloorPlan(
+      house("[[0,0],[2.4,0],[2.4,1],[1.4,1],[1.4,0.6],[1,0.6],[1,1],[0,1]]"), coarse());
   const Rows rows = test::rowsOf(toStates(plan));
   EXPECT_NE(rows[7].find("?#..........####..........#?"), std::string::npos) << rows[7];
   EXPECT_NE(rows[9].find("?#..........####..........#?"), std::string::npos) << rows[9];

@@ -41,12 +41,12 @@ TEST_F(PlanPicture, ReadsPictures) {
   PlanOptions options;
   options.metres_per_pixel = 0.2;
   const FloorPlan plan = readFloorPlan(picture({"        ",  //
-                                      " ...... ",  //
-                                      " .####. ",  //
-                                      " .#g.#. ",  //
-                                      " .####. ",  //
-                                      "        "}),
-                             options);
+                                                " ...... ",  //
+                                                " .####. ",  //
+                                                " .#g.#. ",  //
+                                                " .####. ",  //
+                                                "        "}),
+                                       options);
   EXPECT_EQ(test::rowsOf(toStates(plan)), (Rows{"????????",  //
                                                 "?......?",  //
                                                 "?.####.?",  //
@@ -64,13 +64,13 @@ TEST_F(PlanPicture, WhiteAroundTheBuildingIsOutside) {
                                     ".#...#.",  //
                                     ".#####.",  //
                                     "......."});
-  EXPECT_EQ(
-      test::rowsOf(readFloorPlan(file, options), [](Material m) { return "?.IO"[static_cast<int>(m)]; }),
-      (Rows{"???????",  //
-            "?OOOOO?",  //
-            "?O...O?",  //
-            "?OOOOO?",  //
-            "???????"}));
+  EXPECT_EQ(test::rowsOf(readFloorPlan(file, options),
+                         [](Material m) { return "?.IO"[static_cast<int>(m)]; }),
+            (Rows{"???????",  //
+                  "?OOOOO?",  //
+                  "?O...O?",  //
+                  "?OOOOO?",  //
+                  "???????"}));
   options.white_edge_is_outside = false;
   EXPECT_EQ(test::rowsOf(toStates(readFloorPlan(file, options)))[0], ".......");
 }
