@@ -217,6 +217,41 @@ TEST(ShippedConfig, LoadsWhateverItIs) {
 
 ConfigReading fromText(const std::string& text) { return configFromYaml(YAML::Load(text)); }
 
+constexpr char kOldNames[] =
+    "rssi: {filter: mean, window: 7, path_loss_exponent: 0.9, walls: 3, max_walls: 6,\n"
+    "  min_wall_loss: 4.5}\n"
+    "tomography: {bin: 0.3, saturation: 20, sparsity: 0.05, straightness: 6, unexplained: 1.5,\n"
+    "  directions: 4, members: 5}\n"
+    "inference: {footprint_radius: 0.2, max_gap: 1.5, wall_thickness: 0.2, wall_density: 0.03}\n";
+constexpr char kNewNames[] =
+    "k_visibility: {filter: mean, window: 7, path_loss_exponent: 0.9, wall_count: 3,\n"
+    "  max_wall_count: 6, min_wall_loss: 4.5, wall_thickness: 0.2, wall_prior: 0.03}\n"
+    "tomography: {bin_size: 0.3, max_total_wall_loss: 20, l1_weight: 0.05, smoothness_weight: 6,\n"
+    "  nugget: 1.5, wall_directions: 4, ensemble_size: 5}\n"
+    "path: {footprint_radius: 0.2, max_gap: 1.5}\n";
+
+TEST(ConfigFromYaml, TakesEveryOldNameWithAWarning) {
+  const ConfigReading of_old = fromText(kOldNames);
+  const ConfigReading of_new = fromText(kNewNames);
+  EXPECT_EQ(described(of_old.config), described(of_new.config));
+  EXPECT_EQ(of_old.warnings.size(), 17U);
+  EXPECT_EQ(of_new.warnings, std::vector<std::string>());
+  EXPECT_TRUE(
+      std::any_of(of_old.warnings.begin(), of_old.warnings.end(), [](const std::string& warning) {
+        return contains(warning, "rssi/walls is now called k_visibility/wall_count");
+      }));
+}
+
+TEST(ConfigFromYaml, PrefersANewNameUnlessItHasItsDefault) {
+  const ConfigReading changed = fromText("tomography: {bin: 0.3, bin_size: 0.4}");
+  EXPECT_EQ(described(changed.config), described(fromText("tomography: {bin_size: 0.4}").config));
+  ASSERT_EQ(changed.warnings.size(), 1U);
+  EXPECT_TRUE(contains(changed.warnings[0], "tomography/bin is ignored"));
+  const ConfigReading shipped = fromText("tomography: {bin: 0.3, bin_size: 0.2}");
+  EXPECT_EQ(described(shipped.config), described(fromText("tomography: {bin_size: 0.3}").config));
+  EXPECT_EQ(shipped.warnings.size(), 1U);
+}
+
 TEST(ConfigReader, ReadsOverTheDefaults) {
   const Config config =
       fromText("map: {resolution: 0.1, max_cells: 1e6}\nros: {map_frame: odom}").config;
