@@ -70,7 +70,7 @@ def missing_messages(text):
 def settings():
     """The names of the settings in config/mapping.yaml, with their groups."""
     group = ""
-    for indent, key, value in re.findall(r"^( *)([a-z_]+):(.*)", read("config/mapping.yaml"), re.M):
+    for indent, key, value in re.findall(r"^( *)([a-z0-9_]+):(.*)", read("config/mapping.yaml"), re.M):
         if value.split("#")[0].strip():
             yield (group + "/" if indent else "") + key
         else:
