@@ -45,6 +45,9 @@ class SFW_EXPORT GridGeometry {
   static GridGeometry covering(const Box& box, double resolution_m, double step_m,
                                std::int64_t max_cells);
 
+  /// Whether covering() returns a grid for these arguments, and does not throw.
+  static bool canCover(const Box& box, double resolution_m, double step_m, std::int64_t max_cells);
+
   double resolution() const { return resolution_m_; }
   const Position& origin() const { return origin_; }
   std::int64_t width() const { return width_; }

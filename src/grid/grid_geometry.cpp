@@ -7,10 +7,48 @@
 namespace sfw {
 namespace {
 
+// Keeps coordinates in the range in which Ray is exact, and the product in 64 bits.
+constexpr std::int64_t kMaxSide = std::int64_t{1} << 18;
+
+bool isPositive(double value) { return std::isfinite(value) && value > 0.0; }
+
 void requirePositive(double value, const char* name) {
-  if (!(std::isfinite(value) && value > 0.0)) {
+  if (!isPositive(value)) {
     throw std::invalid_argument(std::string(name) + " must be finite and positive");
   }
+}
+
+/// A grid in units of cells, in floating point, so that nothing overflows before it is compared.
+struct Lattice {
+  Position first;  // column and row of the first cell, from the frame's origin
+  Position cells;  // width and height
+};
+
+Lattice latticeAround(const Box& box, double resolution_m, double step_m) {
+  const double cells_a_step = std::max(1.0, std::round(step_m / resolution_m));
+  const double step = cells_a_step * resolution_m;
+  Position first = (box.min() / step).array().floor();
+  Position last = (box.max() / step).array().floor() + 1.0;
+  // Rounding must not leave a corner outside that lies on a step's border.
+  constexpr double kRounding = 1e-9;  // [steps]
+  for (int axis = 0; axis < 2; ++axis) {
+    first[axis] -= first[axis] * cells_a_step * resolution_m > box.min()[axis] ? 1.0 : 0.0;
+    last[axis] += last[axis] - box.max()[axis] / step <= kRounding ? 1.0 : 0.0;
+  }
+  return {first * cells_a_step, (last - first) * cells_a_step};
+}
+
+bool isFinite(const Box& box) {
+  return !box.isEmpty() && box.min().allFinite() && box.max().allFinite();
+}
+
+bool isTooLarge(const Lattice& lattice, std::int64_t max_cells) {
+  // NaN, as infinity less infinity, is too large as well.
+  return !(lattice.cells.x() * lattice.cells.y() <= static_cast<double>(max_cells));
+}
+
+bool isTooFar(const Lattice& lattice) {
+  return lattice.first.cwiseAbs().maxCoeff() > GridGeometry::kFarthestMap;
 }
 
 }  // namespace
@@ -22,8 +60,6 @@ GridGeometry::GridGeometry(double resolution_m, const Position& origin, std::int
   if (!origin.allFinite()) {
     throw std::invalid_argument("origin must be finite");
   }
-  // Keeps coordinates in the range in which Ray is exact, and the product in 64 bits.
-  constexpr std::int64_t kMaxSide = std::int64_t{1} << 18;
   if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide) {
     throw std::invalid_argument("width and height must lie in 1..262144 cells");
   }
@@ -33,31 +69,30 @@ GridGeometry GridGeometry::covering(const Box& box, double resolution_m, double 
                                     std::int64_t max_cells) {
   requirePositive(resolution_m, "resolution_m");
   requirePositive(step_m, "step_m");
-  if (box.isEmpty() || !box.min().allFinite() || !box.max().allFinite()) {
+  if (!isFinite(box)) {
     throw std::invalid_argument("box must be finite and not empty");
   }
-  const double cells_a_step = std::max(1.0, std::round(step_m / resolution_m));
-  const double step = cells_a_step * resolution_m;
-  Position first = (box.min() / step).array().floor();
-  Position last = (box.max() / step).array().floor() + 1.0;
-  // Rounding must not leave a corner outside that lies on a step's border.
-  constexpr double kRounding = 1e-9;  // [steps]
-  for (int axis = 0; axis < 2; ++axis) {
-    first[axis] -= first[axis] * cells_a_step * resolution_m > box.min()[axis] ? 1.0 : 0.0;
-    last[axis] += last[axis] - box.max()[axis] / step <= kRounding ? 1.0 : 0.0;
-  }
-  const Position cells = (last - first) * cells_a_step;
-  // In floating point, so that nothing can overflow before it is compared; NaN is infinity less
-  // infinity.
-  if (!(cells.x() * cells.y() <= static_cast<double>(max_cells))) {
+  const Lattice lattice = latticeAround(box, resolution_m, step_m);
+  if (isTooLarge(lattice, max_cells)) {
     throw std::invalid_argument("the grid would have more than max_cells cells");
   }
-  if (first.cwiseAbs().maxCoeff() * cells_a_step > kFarthestMap) {
+  if (isTooFar(lattice)) {
     throw std::invalid_argument("the grid would lie over 2097152 cells from the frame's origin");
   }
-  const Position origin = first * cells_a_step * resolution_m;
-  return {resolution_m, origin, static_cast<std::int64_t>(cells.x()),
-          static_cast<std::int64_t>(cells.y())};
+  const Position origin = lattice.first * resolution_m;
+  return {resolution_m, origin, static_cast<std::int64_t>(lattice.cells.x()),
+          static_cast<std::int64_t>(lattice.cells.y())};
+}
+
+bool GridGeometry::canCover(const Box& box, double resolution_m, double step_m,
+                            std::int64_t max_cells) {
+  if (!isPositive(resolution_m) || !isPositive(step_m) || !isFinite(box)) {
+    return false;
+  }
+  const Lattice lattice = latticeAround(box, resolution_m, step_m);
+  return !isTooLarge(lattice, max_cells) && !isTooFar(lattice) &&
+         lattice.cells.maxCoeff() <= static_cast<double>(kMaxSide) &&
+         (lattice.first * resolution_m).allFinite();
 }
 
 Cell GridGeometry::cellAt(const Position& point) const {

@@ -144,6 +144,8 @@ TEST(Covering, DependsOnTheBoxAloneNotOnHowItGrew) {
 TEST(Covering, AllowsExactlyTheGivenCells) {
   const Box box{Position(0.5, 0.5), Position(2.5, 1.5)};
   EXPECT_EQ(GridGeometry::covering(box, 1.0, 1.0, 6).size(), 6U);
+  EXPECT_TRUE(GridGeometry::canCover(box, 1.0, 1.0, 6));
+  EXPECT_FALSE(GridGeometry::canCover(box, 1.0, 1.0, 5));
   EXPECT_NE(complaintOf([&] { GridGeometry::covering(box, 1.0, 1.0, 5); }).find("max_cells"),
             std::string::npos);
   EXPECT_NE(complaintOf([&] { GridGeometry::covering(box, 1.0, 1.0, 0); }).find("max_cells"),
@@ -161,6 +163,8 @@ TEST(Covering, RefusesAMapTooFarOut) {
   const Box far{Position(-1048575.9, 0.0), Position(-1048575.5, 0.1)};
   EXPECT_EQ(GridGeometry::covering(far, 0.5, 0.5, 100).origin(), Position(-1048576.0, 0.0));
   const Box farther{Position(0.0, 1048577.1), Position(0.1, 1048577.2)};
+  EXPECT_TRUE(GridGeometry::canCover(far, 0.5, 0.5, 100));
+  EXPECT_FALSE(GridGeometry::canCover(farther, 0.5, 0.5, 100));
   EXPECT_NE(complaintOf([&] { GridGeometry::covering(farther, 0.5, 0.5, 100); }).find("origin"),
             std::string::npos);
 }
@@ -168,6 +172,8 @@ TEST(Covering, RefusesAMapTooFarOut) {
 TEST(Covering, RefusesWhatIsNotFiniteOrPositive) {
   const Box box{Position(0, 0), Position(1, 1)};
   for (const double bad : {0.0, -1.0, kNaN, kInfinity}) {
+    EXPECT_FALSE(GridGeometry::canCover(box, bad, 1.0, 100));
+    EXPECT_FALSE(GridGeometry::canCover(box, 1.0, bad, 100));
     EXPECT_NE(complaintOf([&] { GridGeometry::covering(box, bad, 1.0, 100); }).find("resolution_m"),
               std::string::npos);
     EXPECT_NE(complaintOf([&] { GridGeometry::covering(box, 1.0, bad, 100); }).find("step_m"),
@@ -176,6 +182,7 @@ TEST(Covering, RefusesWhatIsNotFiniteOrPositive) {
   for (const Box& bad :
        {Box(), Box(Position(kNaN, 0), Position(1, 1)), Box(Position(0, 0), Position(1, kInfinity)),
         Box(Position(1, 1), Position(0, 0))}) {
+    EXPECT_FALSE(GridGeometry::canCover(bad, 1.0, 1.0, 100));
     EXPECT_NE(complaintOf([&] { GridGeometry::covering(bad, 1.0, 1.0, 100); }).find("box"),
               std::string::npos);
   }
