@@ -85,8 +85,8 @@ double publishedBytes(const Snapshot& snapshot) {
   send(toTrinaryGrid(snapshot.belief, header));
   send(toProbabilityGrid(snapshot.belief, header));
   send(toPath(snapshot, header));
-  send(toMarkers(snapshot, header));
-  send(toAccessPoints(snapshot, header));
+  send(toMarkers(snapshot, {}, header));
+  send(toAccessPoints(snapshot, {}, header));
   return bytes;
 }
 

@@ -5,47 +5,66 @@
 #include <optional>
 #include <vector>
 
-#include "access_points/access_point_estimation.h"
+#include "structure_from_wifi/access_point_estimate.h"
 #include "structure_from_wifi/export.h"
-#include "structure_from_wifi/mapper.h"
+#include "structure_from_wifi/snapshot.h"
+#include "structure_from_wifi/types.h"
 
 namespace sfw {
 
-/// Doubts what a map was made from: positions of access points that the table gives
-/// (accessPointFit), and poses (checkDrift). Remembers its judgements of access points, as a map
-/// that grows is judged again and again.
+/// Whether the signals agree where the path returns to a place.
+struct DriftFinding {
+  /// Mean square difference of signals within 0.3 m of a place, over that at 2 to 3 m. It is .1 to
+  /// .4 with good poses and near 1 with drifted ones.
+  double ratio = 0.0;
+  std::size_t returns = 0;  ///< stretches of 0.25 m to which the path returned
+  bool suspect = false;     ///< the poses seem to have drifted
+};
+
+/// The results of checking the data of a map.
+struct DataFindings {
+  /// How well readings fit each access point of the table; empty where nothing is known.
+  std::vector<std::optional<AccessPointFit>> fits;
+  std::optional<DriftFinding> drift;  ///< empty if nothing is known, or nobody looked
+  bool unfinished = false;            ///< some access points wait for the next check
+
+  /// The fit of an access point by its index in the table, or nullptr.
+  const AccessPointFit* fit(std::size_t access_point) const {
+    return access_point < fits.size() && fits[access_point] ? &*fits[access_point] : nullptr;
+  }
+};
+
+/// Checks the data that a map was made from: the positions that the table gives for access points,
+/// and the poses. A checker remembers its results, since a live map is checked again and again.
 /// Not thread-safe.
 class SFW_EXPORT DataChecker {
  public:
-  /// Judges everything anew: the result depends on the readings alone.
-  /// @param mapper    that the snapshot was made by
-  /// @param snapshot  gets the fits, and what drift was found
-  /// @param stop      polled between access points; what is left stays unjudged once it is true
-  /// Costs some 0.1 s for each access point.
-  void checkAll(const Mapper& mapper, Snapshot& snapshot, const std::atomic<bool>& stop);
-  void checkAll(const Mapper& mapper, Snapshot& snapshot);
+  /// Checks everything anew: the result depends on the snapshot alone.
+  /// @param stop  polled between access points; once it is true, the rest stays unchecked
+  /// Takes about 0.1 s for each access point.
+  DataFindings checkAll(const Snapshot& snapshot, const std::atomic<bool>& stop);
+  DataFindings checkAll(const Snapshot& snapshot);
 
-  /// Judges anew the access points whose readings have changed most, 4 at most: those with a tenth
-  /// more than at their last judgement, or moved by a correction of the path. The others keep their
-  /// last fit. Looks for no drift.
-  /// @return whether some are left for the next time
-  bool checkChanged(const Mapper& mapper, Snapshot& snapshot, const std::atomic<bool>& stop);
+  /// Checks the access points whose readings have changed most, 4 at most: those with a tenth more
+  /// readings than at their last check, or with readings that a correction of the path moved. The
+  /// others keep their last result. Does not look for drift.
+  DataFindings checkChanged(const Snapshot& snapshot, const std::atomic<bool>& stop);
 
  private:
-  /// The last judgement of an access point, and what it was made from.
-  struct Known {
+  /// The last check of an access point and its data.
+  struct Checked {
     std::size_t readings = 0;
-    Position last_place = Position::Zero();  // where the last of them was taken [m]
-    std::size_t round = 0;                   // of checkChanged
+    Position last_position = Position::Zero();  // of the last reading [m]
+    std::size_t round = 0;                      // of checkChanged
     std::optional<AccessPointFit> fit;
   };
 
-  static double change(const Known& known, const std::vector<Sample>& samples);
-  void judge(const AccessPoint& access_point, const std::vector<Sample>& samples, Known& known);
-  void note(Snapshot& snapshot) const;
+  static double changeOf(const Checked& checked, const std::vector<Sample>& samples);
+  static Checked check(const AccessPointSummary& summary);
+  DataFindings findings() const;
 
-  std::vector<Known> known_;  // in the order of the table
-  std::size_t round_ = 0;     // how often checkChanged was asked
+  std::vector<Checked> checked_;  // in the order of the table
+  std::size_t round_ = 0;         // number of calls of checkChanged
 };
 
 }  // namespace sfw

@@ -4,8 +4,9 @@
 #include <vector>
 
 #include "structure_from_wifi/config.h"
+#include "structure_from_wifi/data_checks.h"
 #include "structure_from_wifi/export.h"
-#include "structure_from_wifi/mapper.h"
+#include "structure_from_wifi/snapshot.h"
 
 namespace sfw {
 
@@ -33,7 +34,8 @@ SFW_EXPORT std::string accessPointsYaml(const std::vector<AccessPoint>& access_p
 
 /// Settings, access points with their thresholds, what was left out and why, and areas; no time of
 /// day, so that it repeats.
-SFW_EXPORT std::string reportJson(const Snapshot& snapshot, const Config& config);
+SFW_EXPORT std::string reportJson(const Snapshot& snapshot, const Config& config,
+                                  const DataFindings& findings = {});
 
 /// Writes map.pgm, map.yaml, probability.pgm, probability.yaml, map.png and report.json, of maps
 /// that octomapReaches map.bt and map.ot, and of tomography wall_loss.pgm and wall_loss.yaml, into
@@ -41,7 +43,7 @@ SFW_EXPORT std::string reportJson(const Snapshot& snapshot, const Config& config
 /// whole; then those are removed that this map has none of.
 /// @throw std::system_error or std::invalid_argument naming the file and why.
 SFW_EXPORT void writeMapFiles(const Snapshot& snapshot, const Config& config,
-                              const std::string& directory);
+                              const std::string& directory, const DataFindings& findings = {});
 
 /// Writes NAME.pgm and NAME.yaml of states that are known rather than believed.
 /// @throw std::system_error naming the file and why

@@ -3,15 +3,16 @@
 #include <string>
 #include <vector>
 
+#include "structure_from_wifi/data_checks.h"
 #include "structure_from_wifi/export.h"
-#include "structure_from_wifi/mapper.h"
+#include "structure_from_wifi/snapshot.h"
 
 namespace sfw {
 
-/// What a user should know of a map, a sentence.
+/// A sentence about a map for its user.
 struct MapNote {
   enum class Kind {
-    kTooLittle,  ///< driven or heard so far
+    kTooLittle,  ///< too few poses or readings so far
     kStamps,
     kStrayPoses,
     kMotion,
@@ -21,16 +22,16 @@ struct MapNote {
     kDrift,
   };
   Kind kind;
-  std::string about;  ///< tells notes of one kind apart: an access point's bssid, say
+  std::string about;  ///< distinguishes notes of one kind, such as the bssid of an access point
   std::string text;
 };
 
-/// Whether a note is of something that is wrong, and not just of what is missing at the beginning
-/// of each drive.
+/// Whether a note reports a fault. The other notes report missing data, as every drive begins with.
 SFW_EXPORT bool isFault(const MapNote& note);
 
-/// What is to be told of a map: that a drive was too short or too straight to tell of walls, that
-/// signals tell nothing, that poses look as if they drifted. Empty if all is well.
-SFW_EXPORT std::vector<MapNote> mapNotes(const Snapshot& snapshot);
+/// Lists the weaknesses of a map: a drive too short or too straight, signals without information,
+/// poses that seem to have drifted. The list is empty if there are none.
+SFW_EXPORT std::vector<MapNote> mapNotes(const Snapshot& snapshot,
+                                         const DataFindings& findings = {});
 
 }  // namespace sfw

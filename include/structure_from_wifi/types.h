@@ -12,7 +12,7 @@ namespace sfw {
 /// A point in the map frame [m].
 using Position = Eigen::Vector2d;
 
-/// One signal strength heard at one place.
+/// The signal strength of one access point, measured at one position.
 struct Reading {
   std::int64_t stamp_ns = 0;
   Position antenna_in_map = Position::Zero();  ///< [m]
@@ -20,16 +20,31 @@ struct Reading {
   double rssi_dbm = 0.0;
 };
 
-/// A place where the robot touched an obstacle.
+/// A reading whose access point and time are known from where it is kept.
+struct Sample {
+  Position antenna_in_map = Position::Zero();  ///< [m]
+  double rssi_dbm = 0.0;
+};
+
+/// A point at which the robot touched an obstacle.
 struct Contact {
   std::int64_t stamp_ns = 0;
   Position point_in_map = Position::Zero();  ///< [m]
 };
 
-/// A transmitter.
+/// A pose of the path.
+struct PathPose {
+  std::int64_t stamp_ns = 0;
+  Position antenna_in_map = Position::Zero();  ///< [m]
+  int walls = kNoWallCount;  ///< fewest walls to any access point with a reading at this pose
+
+  static constexpr int kNoWallCount = -1;
+};
+
+/// A radio transmitter at a fixed position.
 struct AccessPoint {
   Bssid bssid;
-  std::string name;                      ///< for people; may be empty
+  std::string name;                      ///< shown to people; may be empty
   Position position = Position::Zero();  ///< [m], map frame
   std::optional<double> height_m;        ///< above the floor
   std::optional<double> tx_dbm;          ///< transmitted power

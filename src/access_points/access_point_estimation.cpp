@@ -266,8 +266,8 @@ std::optional<AccessPointFit> accessPointFit(const std::vector<Sample>& samples,
   fit.estimate = *estimate;
   fit.residual_db = likelihood->residualAt(place);
   fit.log_ratio = std::max(0.0, likelihood->at(estimate->position) - likelihood->at(place));
-  fit.distance = (place - estimate->position).norm();
-  fit.suspect = fit.log_ratio > kSuspectRatio && fit.distance > kSuspectDistance;
+  fit.distance_m = (place - estimate->position).norm();
+  fit.suspect = fit.log_ratio > kSuspectRatio && fit.distance_m > kSuspectDistance;
   return fit;
 }
 

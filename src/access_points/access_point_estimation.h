@@ -1,27 +1,12 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <cstddef>
 #include <optional>
 #include <vector>
 
-#include "radio/radio_bins.h"
+#include "structure_from_wifi/access_point_estimate.h"
 #include "structure_from_wifi/types.h"
 
 namespace sfw {
-
-/// Where an access point stands, as far as its signals tell.
-struct AccessPointEstimate {
-  Position position = Position::Zero();                  ///< [m], map frame
-  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< [m2], about the position
-
-  /// The readings fit another place about as well, as the mirror image beyond a straight path does.
-  /// The position is then the likeliest one and the covariance spans the others too.
-  bool ambiguous = false;
-
-  std::size_t readings = 0;  ///< that it was found from
-  std::size_t bins = 0;      ///< places that they were made at
-};
 
 /// Finds an access point from its readings.
 ///
@@ -41,15 +26,6 @@ struct AccessPointEstimate {
 /// Cost is bounded: 300 bins and 5700 positions, 91 terms each, at most: 0.1 s.
 std::optional<AccessPointEstimate> estimateAccessPoint(
     const std::vector<Sample>& samples, std::optional<double> height_m = std::nullopt);
-
-/// How well readings fit the place that an access point is said to stand at.
-struct AccessPointFit {
-  double residual_db = 0.0;      ///< of the bins' mean signals to the fitted law, mean square root
-  double log_ratio = 0.0;        ///< how much likelier the estimate is than the place, >= 0
-  double distance = 0.0;         ///< from the place to the estimate [m]
-  bool suspect = false;          ///< the access point hardly stands there
-  AccessPointEstimate estimate;  ///< where it seems to stand instead
-};
 
 /// Compares the place that an access point is said to stand at with what its readings say.
 ///

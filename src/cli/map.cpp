@@ -6,6 +6,7 @@
 #include <memory>
 #include <sstream>
 
+#include "belief/belief_model.h"
 #include "cli/commands.h"
 #include "cli/warnings.h"
 #include "ros/bags/bag_reader.h"
@@ -133,15 +134,14 @@ void run(const MapOptions& options) {
     throw InputError(source + ": no reading of an access point in " + options.access_points +
                      " can be used; see the warnings above");
   }
-  Snapshot judged = *snapshot;
-  DataChecker().checkAll(mapper, judged);
-  for (const AccessPointSummary& summary : judged.access_points) {
+  const DataFindings findings = DataChecker().checkAll(*snapshot);
+  for (const AccessPointSummary& summary : snapshot->access_points) {
     reportAccessPoint(options.access_points, summary);
   }
-  for (const MapNote& note : mapNotes(judged)) {
+  for (const MapNote& note : mapNotes(*snapshot, findings)) {
     warn(source + ": " + note.text);
   }
-  writeMapFiles(judged, config, options.output);
+  writeMapFiles(*snapshot, config, options.output, findings);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   std::cerr << "sfw: wrote the map to " << options.output << " in "
             << static_cast<int>(elapsed.count() * 1000) << " ms\n";

@@ -4,6 +4,9 @@
 #include <limits>
 #include <tuple>
 
+#include "access_points/access_point_estimation.h"
+#include "radio/drift.h"
+
 namespace sfw {
 namespace {
 
@@ -11,80 +14,91 @@ constexpr double kMuchMore = 0.1;  // of the readings
 constexpr double kMoved = 0.1;     // [m]
 constexpr std::size_t kMostAtOnce = 4;
 
+std::optional<DriftFinding> driftOf(const Snapshot& snapshot) {
+  std::vector<std::vector<Sample>> samples;
+  for (const AccessPointSummary& summary : snapshot.access_points) {
+    samples.push_back(summary.samples);
+  }
+  if (const std::optional<DriftCheck> check = checkDrift(samples)) {
+    return DriftFinding{check->ratio, check->returns, check->suspect};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
-void DataChecker::checkAll(const Mapper& mapper, Snapshot& snapshot,
-                           const std::atomic<bool>& stop) {
-  const std::vector<std::vector<Sample>> samples = mapper.samples();
-  known_.assign(samples.size(), {});
-  for (std::size_t i = 0; i < samples.size() && !stop; ++i) {
-    judge(snapshot.access_points[i].access_point, samples[i], known_[i]);
-  }
-  note(snapshot);
-  if (!stop) {
-    snapshot.drift = checkDrift(samples);
-  }
-}
-
-void DataChecker::checkAll(const Mapper& mapper, Snapshot& snapshot) {
+DataFindings DataChecker::checkAll(const Snapshot& snapshot) {
   const std::atomic<bool> never{false};
-  checkAll(mapper, snapshot, never);
+  return checkAll(snapshot, never);
 }
 
-bool DataChecker::checkChanged(const Mapper& mapper, Snapshot& snapshot,
-                               const std::atomic<bool>& stop) {
-  const std::vector<std::vector<Sample>> samples = mapper.samples();
-  known_.resize(samples.size());
+DataFindings DataChecker::checkAll(const Snapshot& snapshot, const std::atomic<bool>& stop) {
+  checked_.assign(snapshot.access_points.size(), {});
+  for (std::size_t i = 0; i < checked_.size() && !stop; ++i) {
+    checked_[i] = check(snapshot.access_points[i]);
+  }
+  DataFindings all = findings();
+  all.drift = stop ? std::nullopt : driftOf(snapshot);
+  return all;
+}
+
+DataFindings DataChecker::checkChanged(const Snapshot& snapshot, const std::atomic<bool>& stop) {
+  checked_.resize(snapshot.access_points.size());
   ++round_;
-  // Of those that changed as much, whoever waits longest comes first: a path that is corrected
-  // again and again would else have the first of the table judged for ever.
+  // Of those that changed as much, the one with the oldest check comes first. Otherwise a path that
+  // is corrected again and again would always have the first ones of the table checked.
   std::vector<std::tuple<double, std::size_t, std::size_t>> due;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const double much = change(known_[i], samples[i]);
-    if (much >= kMuchMore && snapshot.access_points[i].access_point.position_known) {
-      due.emplace_back(-much, known_[i].round, i);
+  for (std::size_t i = 0; i < checked_.size(); ++i) {
+    const AccessPointSummary& summary = snapshot.access_points[i];
+    const double change = changeOf(checked_[i], summary.samples);
+    if (change >= kMuchMore && summary.access_point.position_known) {
+      due.emplace_back(-change, checked_[i].round, i);
     }
   }
   std::sort(due.begin(), due.end());
   const std::size_t now = std::min(due.size(), kMostAtOnce);
   for (std::size_t j = 0; j < now && !stop; ++j) {
     const std::size_t i = std::get<2>(due[j]);
-    judge(snapshot.access_points[i].access_point, samples[i], known_[i]);
-    known_[i].round = round_;
+    checked_[i] = check(snapshot.access_points[i]);
+    checked_[i].round = round_;
   }
-  note(snapshot);
-  return due.size() > now;
+  DataFindings changed = findings();
+  changed.unfinished = due.size() > now;
+  return changed;
 }
 
-/// Share of readings more than at the last judgement; infinite if they are others.
-double DataChecker::change(const Known& known, const std::vector<Sample>& samples) {
+/// The number of new readings over that at the last check; infinite if the old ones were replaced.
+double DataChecker::changeOf(const Checked& checked, const std::vector<Sample>& samples) {
   constexpr double kAll = std::numeric_limits<double>::infinity();
-  if (known.readings == 0) {
+  if (checked.readings == 0) {
     return samples.empty() ? 0.0 : kAll;
   }
-  if (samples.size() < known.readings ||
-      (samples[known.readings - 1].antenna_in_map - known.last_place).norm() > kMoved) {
+  if (samples.size() < checked.readings ||
+      (samples[checked.readings - 1].antenna_in_map - checked.last_position).norm() > kMoved) {
     return kAll;
   }
-  return static_cast<double>(samples.size()) / static_cast<double>(known.readings) - 1.0;
+  return static_cast<double>(samples.size()) / static_cast<double>(checked.readings) - 1.0;
 }
 
-void DataChecker::judge(const AccessPoint& access_point, const std::vector<Sample>& samples,
-                        Known& known) {
-  known = {};
-  known.readings = samples.size();
-  if (!samples.empty()) {
-    known.last_place = samples.back().antenna_in_map;
+DataChecker::Checked DataChecker::check(const AccessPointSummary& summary) {
+  Checked checked;
+  checked.readings = summary.samples.size();
+  if (!summary.samples.empty()) {
+    checked.last_position = summary.samples.back().antenna_in_map;
   }
+  const AccessPoint& access_point = summary.access_point;
   if (access_point.position_known) {
-    known.fit = accessPointFit(samples, access_point.position, access_point.height_m);
+    checked.fit = accessPointFit(summary.samples, access_point.position, access_point.height_m);
   }
+  return checked;
 }
 
-void DataChecker::note(Snapshot& snapshot) const {
-  for (std::size_t i = 0; i < known_.size(); ++i) {
-    snapshot.access_points[i].fit = known_[i].fit;
+DataFindings DataChecker::findings() const {
+  DataFindings all;
+  for (const Checked& checked : checked_) {
+    all.fits.push_back(checked.fit);
   }
+  return all;
 }
 
 }  // namespace sfw

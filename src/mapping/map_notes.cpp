@@ -191,7 +191,7 @@ void addNoteOnSilence(const Snapshot& snapshot, Notes& notes) {
 }
 
 /// On a place that is a guess, or not where the table has it.
-void addNoteOnPlace(const AccessPointSummary& summary, Notes& notes) {
+void addNoteOnPlace(const AccessPointSummary& summary, const AccessPointFit* fit, Notes& notes) {
   const std::string name = summary.access_point.bssid.str();
   if (summary.estimate && summary.estimate->ambiguous) {
     notes.push_back({MapNote::Kind::kAccessPoint, name,
@@ -200,11 +200,11 @@ void addNoteOnPlace(const AccessPointSummary& summary, Notes& notes) {
                          "map reckons with the likeliest; measure its position, or drive around "
                          "it"});
   }
-  if (summary.fit && summary.fit->suspect) {
+  if (fit != nullptr && fit->suspect) {
     std::ostringstream text;
     text << std::fixed << std::setprecision(1) << name << ": its readings fit a place "
-         << summary.fit->distance << " m away, at (" << summary.fit->estimate.position.x() << ", "
-         << summary.fit->estimate.position.y() << "), much better than the one given";
+         << fit->distance_m << " m away, at (" << fit->estimate.position.x() << ", "
+         << fit->estimate.position.y() << "), much better than the one given";
     notes.push_back({MapNote::Kind::kAccessPoint, name, text.str()});
   }
 }
@@ -213,14 +213,14 @@ void addNoteOnPlace(const AccessPointSummary& summary, Notes& notes) {
 
 bool isFault(const MapNote& note) { return note.kind != MapNote::Kind::kTooLittle; }
 
-std::vector<MapNote> mapNotes(const Snapshot& snapshot) {
+std::vector<MapNote> mapNotes(const Snapshot& snapshot, const DataFindings& findings) {
   Notes notes;
   addNotesOnDrive(snapshot, notes);
   addNoteOnSignals(snapshot, notes);
   addNoteOnStrength(snapshot, notes);
   addNoteOnSilence(snapshot, notes);
-  for (const AccessPointSummary& summary : snapshot.access_points) {
-    addNoteOnPlace(summary, notes);
+  for (std::size_t i = 0; i < snapshot.access_points.size(); ++i) {
+    addNoteOnPlace(snapshot.access_points[i], findings.fit(i), notes);
   }
   if (!octomapReaches(snapshot.belief.geometry())) {
     notes.push_back({MapNote::Kind::kOctomap, "",
@@ -228,7 +228,7 @@ std::vector<MapNote> mapNotes(const Snapshot& snapshot) {
                      "map lies beyond; use a frame that begins nearer, or larger cells "
                      "(map/resolution)"});
   }
-  if (snapshot.drift && snapshot.drift->suspect) {
+  if (findings.drift && findings.drift->suspect) {
     notes.push_back({MapNote::Kind::kDrift, "",
                      "the path looks as if it drifted: where it comes back to a place, signals "
                      "differ as they do from room to room"});

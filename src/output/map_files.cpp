@@ -67,7 +67,7 @@ ordered_json describe(const Config& config) {
   return settings;
 }
 
-ordered_json describe(const AccessPointSummary& summary) {
+ordered_json describe(const AccessPointSummary& summary, const AccessPointFit* fit) {
   const AccessPoint& access_point = summary.access_point;
   ordered_json json{{"bssid", access_point.bssid.str()},
                     {"name", asUtf8(access_point.name)},
@@ -84,34 +84,33 @@ ordered_json describe(const AccessPointSummary& summary) {
                          {"sd_y_m", std::sqrt(covariance(1, 1))},
                          {"ambiguous", summary.estimate->ambiguous}};
   }
-  if (summary.fit) {
-    const Position& better = summary.fit->estimate.position;
-    json["fit"] = {{"residual_db", summary.fit->residual_db}, {"suspect", summary.fit->suspect}};
-    if (summary.fit->suspect) {
+  if (fit != nullptr) {
+    const Position& better = fit->estimate.position;
+    json["fit"] = {{"residual_db", fit->residual_db}, {"suspect", fit->suspect}};
+    if (fit->suspect) {
       json["fit"]["seems_to_stand_at"] = {better.x(), better.y()};
     }
   }
-  if (summary.model) {
-    json["walls"] = summary.model->walls();
-    json["centroids_dbm"] = summary.model->centroids();
-    json["thresholds_dbm"] = summary.model->thresholds();
+  if (summary.wall_counts) {
+    json["walls"] = summary.wall_counts->walls();
+    json["centroids_dbm"] = summary.wall_counts->centroids_dbm;
+    json["thresholds_dbm"] = summary.wall_counts->thresholds_dbm;
   }
   return json;
 }
 
 ordered_json describe(const TomographySummary& tomography) {
-  const char* const source =
-      tomography.frame.source == BuildingFrame::Source::kHeadings ? "headings"
-      : tomography.frame.source == BuildingFrame::Source::kSpread ? "spread of the path"
-                                                                  : "none";
-  ordered_json style;
-  for (std::size_t i = 0; i < kDrivingStyles; ++i) {
-    style[kDrivingStyleNames[i]] = tomography.style[i];
-  }
-  return {{"building_yaw_rad", tomography.frame.yaw_rad},
+  using YawSource = TomographySummary::YawSource;
+  const char* const source = tomography.yaw_source == YawSource::kHeadings ? "headings"
+                             : tomography.yaw_source == YawSource::kSpread ? "spread of the path"
+                                                                           : "none";
+  const ordered_json style{{"along_walls", tomography.style.along_walls},
+                           {"patrol", tomography.style.patrol},
+                           {"stroll", tomography.style.stroll}};
+  return {{"building_yaw_rad", tomography.building_yaw_rad},
           {"building_yaw_from", source},
           {"driving_style", style},
-          {"signals_explained_by_walls", tomography.explained}};
+          {"signals_explained_by_walls", tomography.explained_variance}};
 }
 
 ordered_json describe(const Rejections& rejections) {
@@ -120,7 +119,7 @@ ordered_json describe(const Rejections& rejections) {
   for (const auto& [insertion, count] : rejections.count) {
     json["by_reason"][toString(insertion)] = count;
   }
-  for (const auto& [reason, count] : rejections.not_inserted) {
+  for (const auto& [reason, count] : rejections.before_insertion) {
     json["by_reason"][reason] = json["by_reason"].value(reason, std::size_t{0}) + count;
   }
   for (const auto& [bssid, count] : rejections.unknown_access_points) {
@@ -129,7 +128,7 @@ ordered_json describe(const Rejections& rejections) {
   return json;
 }
 
-ordered_json describe(const DriftCheck& drift) {
+ordered_json describe(const DriftFinding& drift) {
   return {{"ratio", drift.ratio}, {"returns", drift.returns}, {"suspect", drift.suspect}};
 }
 
@@ -259,7 +258,8 @@ std::string accessPointsYaml(const std::vector<AccessPoint>& access_points) {
   return std::string(yaml.c_str()) + "\n";
 }
 
-std::string reportJson(const Snapshot& snapshot, const Config& config) {
+std::string reportJson(const Snapshot& snapshot, const Config& config,
+                       const DataFindings& findings) {
   double length_m = 0.0;
   for (std::size_t i = 1; i < snapshot.path.size(); ++i) {
     length_m += (snapshot.path[i].antenna_in_map - snapshot.path[i - 1].antenna_in_map).norm();
@@ -268,7 +268,7 @@ std::string reportJson(const Snapshot& snapshot, const Config& config) {
   report["version"] = version();
   report["method"] = config.method;
   report["notes"] = ordered_json::array();
-  for (const MapNote& note : mapNotes(snapshot)) {
+  for (const MapNote& note : mapNotes(snapshot, findings)) {
     report["notes"].push_back(note.text);
   }
   report["map"] = describe(snapshot.belief);
@@ -277,12 +277,12 @@ std::string reportJson(const Snapshot& snapshot, const Config& config) {
                     {"stray_poses", snapshot.stray.count},
                     {"jumps", snapshot.motion.jumps},
                     {"usual_speed_m_s", snapshot.motion.usual_speed_m_s}};
-  if (snapshot.drift) {
-    report["drift"] = describe(*snapshot.drift);
+  if (findings.drift) {
+    report["drift"] = describe(*findings.drift);
   }
   report["access_points"] = ordered_json::array();
-  for (const AccessPointSummary& summary : snapshot.access_points) {
-    report["access_points"].push_back(describe(summary));
+  for (std::size_t i = 0; i < snapshot.access_points.size(); ++i) {
+    report["access_points"].push_back(describe(snapshot.access_points[i], findings.fit(i)));
   }
   if (snapshot.tomography) {
     report["tomography"] = describe(*snapshot.tomography);
@@ -292,7 +292,8 @@ std::string reportJson(const Snapshot& snapshot, const Config& config) {
   return report.dump(2) + "\n";
 }
 
-void writeMapFiles(const Snapshot& snapshot, const Config& config, const std::string& directory) {
+void writeMapFiles(const Snapshot& snapshot, const Config& config, const std::string& directory,
+                   const DataFindings& findings) {
   // Everything is made before anything is written, so what cannot be made leaves no trace.
   const BeliefMap& belief = snapshot.belief;
   std::vector<std::pair<std::string, std::string>> files{
@@ -301,7 +302,7 @@ void writeMapFiles(const Snapshot& snapshot, const Config& config, const std::st
       {directory + "/probability.pgm", probabilityPgm(belief)},
       {directory + "/probability.yaml", probabilityYaml(belief.geometry())},
       {directory + "/map.png", renderPicture(snapshot)},
-      {directory + "/report.json", reportJson(snapshot, config)}};
+      {directory + "/report.json", reportJson(snapshot, config, findings)}};
   if (octomapReaches(belief.geometry())) {
     const auto tree = toOctomap(belief, config.octomap);
     files.emplace_back(directory + "/map.bt", encodeBinaryFile(*tree));

@@ -3,12 +3,12 @@
 #include <string>
 
 #include "files/colour.h"
-#include "structure_from_wifi/mapper.h"
+#include "structure_from_wifi/snapshot.h"
 
 namespace sfw {
 
 /// The colour of a wall count, as in the paper's figures: red 0, green 1, blue 2, yellow 3, then
-/// a fixed scale; grey for PathPose::kNothingHeard.
+/// a fixed scale; grey for PathPose::kNoWallCount.
 Colour wallCountColour(int walls);
 
 /// A PNG for people: the known part of the map, the path coloured by wall count with its legend,

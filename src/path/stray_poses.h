@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "path/path.h"
+#include "structure_from_wifi/types.h"
 
 namespace sfw {
 

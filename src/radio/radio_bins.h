@@ -24,12 +24,6 @@ struct AccessPointBins {
   std::vector<RadioBin> bins;
 };
 
-/// One reading of an access point.
-struct Sample {
-  Position antenna_in_map = Position::Zero();  ///< [m]
-  double rssi_dbm = 0.0;
-};
-
 /// Puts the readings of one access point into square bins of `bin_m`, in row-major order.
 ///
 /// Bins closer than 0.3 m to the access point are left out: there the log-distance law ends. The

@@ -156,7 +156,7 @@ TEST(AccessPointFit, TrustsTheRightPlaceAndSuspectsOthers) {
     const auto wrong = accessPointFit(samples, truth + move);
     ASSERT_TRUE(wrong);
     EXPECT_TRUE(wrong->suspect) << move.transpose();
-    EXPECT_NEAR(wrong->distance, 3.0, 0.5);
+    EXPECT_NEAR(wrong->distance_m, 3.0, 0.5);
     EXPECT_GT(wrong->residual_db, right->residual_db);
   }
 }
@@ -177,7 +177,7 @@ TEST(AccessPointEstimation, IsGoodInSimulatedHomes) {
     auto samples = test::samplesByRadio(simulate(scenario).readings);
     for (const AccessPoint& access_point : scenario.access_points) {
       const auto fit = accessPointFit(samples[access_point.bssid], access_point.position);
-      errors.push_back(fit ? fit->distance : kLost);
+      errors.push_back(fit ? fit->distance_m : kLost);
       suspects += fit && fit->suspect ? 1 : 0;
     }
   }
@@ -204,7 +204,7 @@ TEST(AccessPointEstimation, IsGoodAtARealHome) {
       if (samples.count(access_point.bssid) != 0) {
         const auto fit = accessPointFit(samples[access_point.bssid], access_point.position);
         ASSERT_TRUE(fit);
-        EXPECT_LT(fit->distance, 1.4) << recording.name << ' ' << access_point.name;
+        EXPECT_LT(fit->distance_m, 1.4) << recording.name << ' ' << access_point.name;
         EXPECT_FALSE(fit->suspect) << recording.name << ' ' << access_point.name;
       }
     }

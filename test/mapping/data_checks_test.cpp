@@ -40,17 +40,11 @@ void insert(const std::vector<Reading>& readings, std::size_t from, std::size_t 
                 [&](const Reading& reading) { mapper.insert(reading); });
 }
 
-Snapshot allJudged(const Mapper& mapper) {
-  Snapshot snapshot = *mapper.infer();
-  DataChecker().checkAll(mapper, snapshot);
-  return snapshot;
-}
+DataFindings allChecked(const Mapper& mapper) { return DataChecker().checkAll(*mapper.infer()); }
 
-Snapshot changedJudged(DataChecker& judge, const Mapper& mapper) {
+DataFindings changedChecked(DataChecker& checker, const Mapper& mapper) {
   const std::atomic<bool> never{false};
-  Snapshot snapshot = *mapper.infer();
-  judge.checkChanged(mapper, snapshot, never);
-  return snapshot;
+  return checker.checkChanged(*mapper.infer(), never);
 }
 
 TEST(DataChecker, SuspectsThePositionThatIsWrong) {
@@ -58,49 +52,49 @@ TEST(DataChecker, SuspectsThePositionThatIsWrong) {
       mapperOf({test::accessPoint(1, kFirst.x(), kFirst.y()), test::accessPoint(2, 2.0, 4.5)});
   const std::vector<Reading> readings = hallDrive();
   insert(readings, 0, readings.size(), mapper);
-  const Snapshot snapshot = allJudged(mapper);
-  ASSERT_TRUE(snapshot.access_points[0].fit);
-  EXPECT_FALSE(snapshot.access_points[0].fit->suspect);
-  ASSERT_TRUE(snapshot.access_points[1].fit);
-  EXPECT_TRUE(snapshot.access_points[1].fit->suspect);
-  EXPECT_LT((snapshot.access_points[1].fit->estimate.position - kSecond).norm(), 1.0);
+  const DataFindings findings = allChecked(mapper);
+  ASSERT_TRUE(findings.fits[0]);
+  EXPECT_FALSE(findings.fits[0]->suspect);
+  ASSERT_TRUE(findings.fits[1]);
+  EXPECT_TRUE(findings.fits[1]->suspect);
+  EXPECT_LT((findings.fits[1]->estimate.position - kSecond).norm(), 1.0);
 }
 
-TEST(DataChecker, DoesNotJudgeWhatNobodyGaveOrHeard) {
+TEST(DataChecker, ChecksNoAccessPointWithoutGivenPositionOrReadings) {
   AccessPoint to_estimate = test::accessPoint(1, 0.0, 0.0);
   to_estimate.position_known = false;
   Mapper mapper = mapperOf({to_estimate, test::accessPoint(9, 1.0, 1.0)});
-  EXPECT_FALSE(allJudged(mapper).access_points[1].fit);
+  EXPECT_FALSE(allChecked(mapper).fits[1]);
   const std::vector<Reading> readings = hallDrive();
   insert(readings, 0, readings.size(), mapper);
-  const Snapshot snapshot = allJudged(mapper);
-  EXPECT_TRUE(snapshot.access_points[0].estimate);
-  EXPECT_FALSE(snapshot.access_points[0].fit);
-  EXPECT_FALSE(snapshot.access_points[1].fit);
+  const DataFindings findings = allChecked(mapper);
+  EXPECT_TRUE(mapper.infer()->access_points[0].estimate);
+  EXPECT_FALSE(findings.fits[0]);
+  EXPECT_FALSE(findings.fits[1]);
 }
 
-TEST(DataChecker, KeepsAFitUntilATenthMoreIsHeard) {
+TEST(DataChecker, KeepsAFitUntilATenthMoreReadingsCome) {
   Mapper mapper = mapperOf({test::accessPoint(1, kFirst.x(), kFirst.y())});
   const std::vector<Reading> readings = hallDrive();
   insert(readings, 0, 1000, mapper);
-  DataChecker judge;
-  const Snapshot first = changedJudged(judge, mapper);
-  ASSERT_TRUE(first.access_points[0].fit);
-  EXPECT_EQ(first.access_points[0].fit->estimate.readings, 500U);
+  DataChecker checker;
+  const DataFindings first = changedChecked(checker, mapper);
+  ASSERT_TRUE(first.fits[0]);
+  EXPECT_EQ(first.fits[0]->estimate.readings, 500U);
   insert(readings, 1000, 1090, mapper);
-  EXPECT_EQ(changedJudged(judge, mapper).access_points[0].fit->estimate.readings, 500U);
+  EXPECT_EQ(changedChecked(checker, mapper).fits[0]->estimate.readings, 500U);
   insert(readings, 1090, 1100, mapper);
-  EXPECT_EQ(changedJudged(judge, mapper).access_points[0].fit->estimate.readings, 550U);
+  EXPECT_EQ(changedChecked(checker, mapper).fits[0]->estimate.readings, 550U);
 }
 
 TEST(DataChecker, StartsAnewAfterAReset) {
   Mapper mapper = mapperOf({test::accessPoint(1, kFirst.x(), kFirst.y())});
   const std::vector<Reading> readings = hallDrive();
   insert(readings, 0, readings.size(), mapper);
-  DataChecker judge;
-  ASSERT_TRUE(changedJudged(judge, mapper).access_points[0].fit);
+  DataChecker checker;
+  ASSERT_TRUE(changedChecked(checker, mapper).fits[0]);
   mapper.reset();
-  EXPECT_FALSE(changedJudged(judge, mapper).access_points[0].fit);
+  EXPECT_FALSE(changedChecked(checker, mapper).fits[0]);
 }
 
 TEST(DataChecker, JudgesAnewWhatACorrectionMoved) {
@@ -108,16 +102,16 @@ TEST(DataChecker, JudgesAnewWhatACorrectionMoved) {
   const std::vector<AccessPoint> table{test::accessPoint(1, kFirst.x(), kFirst.y())};
   Mapper mapper = mapperOf(table);
   insert(readings, 0, readings.size(), mapper);
-  DataChecker judge;
-  const Position before = changedJudged(judge, mapper).access_points[0].fit->estimate.position;
+  DataChecker checker;
+  const Position before = changedChecked(checker, mapper).fits[0]->estimate.position;
   Mapper moved = mapperOf(table);
   for (Reading reading : readings) {
     reading.antenna_in_map.x() += 3.0;
     moved.insert(reading);
   }
-  const Snapshot after = changedJudged(judge, moved);
-  EXPECT_TRUE(after.access_points[0].fit->suspect);
-  EXPECT_NEAR(after.access_points[0].fit->estimate.position.x(), before.x() + 3.0, 0.3);
+  const DataFindings after = changedChecked(checker, moved);
+  EXPECT_TRUE(after.fits[0]->suspect);
+  EXPECT_NEAR(after.fits[0]->estimate.position.x(), before.x() + 3.0, 0.3);
 }
 
 TEST(DataChecker, JudgesAFewAtATime) {
@@ -134,19 +128,19 @@ TEST(DataChecker, JudgesAFewAtATime) {
   }
   Mapper mapper = mapperOf(table);
   insert(readings, 0, readings.size(), mapper);
-  DataChecker judge;
-  const auto judgedIn = [](const Snapshot& snapshot) {
-    return std::count_if(snapshot.access_points.begin(), snapshot.access_points.end(),
-                         [](const AccessPointSummary& summary) { return bool(summary.fit); });
+  DataChecker checker;
+  const auto checkedIn = [](const DataFindings& findings) {
+    return std::count_if(findings.fits.begin(), findings.fits.end(),
+                         [](const std::optional<AccessPointFit>& fit) { return bool(fit); });
   };
-  const std::atomic<bool> never{false};
-  Snapshot snapshot = *mapper.infer();
-  EXPECT_TRUE(judge.checkChanged(mapper, snapshot, never)) << "some are left";
-  EXPECT_GT(judgedIn(snapshot), 0);
-  EXPECT_LT(judgedIn(snapshot), 6);
-  EXPECT_FALSE(judge.checkChanged(mapper, snapshot, never));
-  EXPECT_EQ(judgedIn(snapshot), 6);
-  EXPECT_EQ(judgedIn(allJudged(mapper)), 6);
+  const DataFindings first = changedChecked(checker, mapper);
+  EXPECT_TRUE(first.unfinished);
+  EXPECT_GT(checkedIn(first), 0);
+  EXPECT_LT(checkedIn(first), 6);
+  const DataFindings second = changedChecked(checker, mapper);
+  EXPECT_FALSE(second.unfinished);
+  EXPECT_EQ(checkedIn(second), 6);
+  EXPECT_EQ(checkedIn(allChecked(mapper)), 6);
 }
 
 TEST(DataChecker, ForgetsNoneWhenAllAreMovedAgainAndAgain) {
@@ -154,8 +148,8 @@ TEST(DataChecker, ForgetsNoneWhenAllAreMovedAgainAndAgain) {
   for (int number = 1; number <= 10; ++number) {
     table.push_back(test::accessPoint(number, kFirst.x(), kFirst.y()));
   }
-  DataChecker judge;
-  Snapshot snapshot = *mapperOf(table).infer();
+  DataChecker checker;
+  DataFindings findings;
   for (int correction = 0; correction < 4; ++correction) {
     Mapper mapper = mapperOf(table);
     for (Reading reading : hallDrive()) {
@@ -167,10 +161,11 @@ TEST(DataChecker, ForgetsNoneWhenAllAreMovedAgainAndAgain) {
         }
       }
     }
-    snapshot = changedJudged(judge, mapper);
+    findings = changedChecked(checker, mapper);
   }
-  for (const AccessPointSummary& summary : snapshot.access_points) {
-    EXPECT_TRUE(summary.fit) << summary.access_point.bssid.str();
+  ASSERT_EQ(findings.fits.size(), table.size());
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    EXPECT_TRUE(findings.fits[i]) << table[i].bssid.str();
   }
 }
 
@@ -184,14 +179,14 @@ TEST(DataChecker, NotesDriftInTheReport) {
       reading.antenna_in_map.x() += drift_m;
       mapper.insert(reading);
     }
-    const Snapshot snapshot = allJudged(mapper);
-    ASSERT_TRUE(snapshot.drift);
-    EXPECT_EQ(snapshot.drift->suspect, drift_m > 0.0) << snapshot.drift->ratio;
-    const std::string report = reportJson(snapshot, Config());
+    const DataFindings findings = allChecked(mapper);
+    ASSERT_TRUE(findings.drift);
+    EXPECT_EQ(findings.drift->suspect, drift_m > 0.0) << findings.drift->ratio;
+    const std::string report = reportJson(*mapper.infer(), Config(), findings);
     EXPECT_EQ(report.find("looks as if it drifted") != std::string::npos, drift_m > 0.0);
   }
   Mapper once = mapperOf({test::accessPoint(1, kFirst.x(), kFirst.y())});
-  EXPECT_FALSE(allJudged(once).drift);
+  EXPECT_FALSE(allChecked(once).drift);
 }
 
 TEST(DataChecker, StopsWhenAsked) {
@@ -199,9 +194,9 @@ TEST(DataChecker, StopsWhenAsked) {
   const std::vector<Reading> readings = hallDrive();
   insert(readings, 0, readings.size(), mapper);
   const std::atomic<bool> stop{true};
-  Snapshot snapshot = *mapper.infer();
-  DataChecker().checkAll(mapper, snapshot, stop);
-  EXPECT_FALSE(snapshot.access_points[0].fit);
+  const DataFindings findings = DataChecker().checkAll(*mapper.infer(), stop);
+  EXPECT_FALSE(findings.fit(0));
+  EXPECT_FALSE(findings.drift);
 }
 
 }  // namespace

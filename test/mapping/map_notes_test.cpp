@@ -28,9 +28,9 @@ double fading(const Position& place) {
   return -40.0 - 20.0 * std::log10(std::max(0.3, (place - kAccessPoint).norm()));
 }
 
-std::vector<std::string> textsOf(const Snapshot& snapshot) {
+std::vector<std::string> textsOf(const Snapshot& snapshot, const DataFindings& findings = {}) {
   std::vector<std::string> texts;
-  for (const MapNote& note : mapNotes(snapshot)) {
+  for (const MapNote& note : mapNotes(snapshot, findings)) {
     texts.push_back(note.text);
   }
   return texts;
@@ -162,18 +162,18 @@ TEST(MapNotes, TellOfAnAccessPointAtTheWrongPlace) {
   for (int i = 0; i < 400; ++i) {
     mapper.insert(test::reading(i, lanes(i).x(), lanes(i).y(), fading(lanes(i))));
   }
-  Snapshot snapshot = *mapper.infer();
-  EXPECT_EQ(textsOf(snapshot), std::vector<std::string>());
+  const auto snapshot = mapper.infer();
+  EXPECT_EQ(textsOf(*snapshot), std::vector<std::string>());
   AccessPointFit fit;
   fit.suspect = true;
-  fit.distance = 3.25;
+  fit.distance_m = 3.25;
   fit.estimate.position = {5.0, 1.0};
-  snapshot.access_points[0].fit = fit;
-  EXPECT_EQ(textsOf(snapshot),
+  const DataFindings findings{{fit}, {}};
+  EXPECT_EQ(textsOf(*snapshot, findings),
             std::vector<std::string>{
                 "02:00:00:00:00:01: its readings fit a place 3.2 m away, at (5.0, 1.0), much "
                 "better than the one given"});
-  EXPECT_TRUE(isFault(mapNotes(snapshot)[0]));
+  EXPECT_TRUE(isFault(mapNotes(*snapshot, findings)[0]));
 }
 
 TEST(MapNotes, TellOfStampsThatAreCut) {

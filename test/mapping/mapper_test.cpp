@@ -62,7 +62,7 @@ TEST(Mapper, StartsAllUnknownAroundItsAccessPoints) {
   const auto snapshot = mapper.infer();
   EXPECT_TRUE(snapshot->path.empty());
   EXPECT_EQ(snapshot->access_points.front().readings, 0U);
-  EXPECT_EQ(snapshot->access_points.front().model->walls(), 0U);
+  EXPECT_EQ(snapshot->access_points.front().wall_counts->walls(), 0U);
   const std::string pgm = trinaryPgm(snapshot->belief);
   EXPECT_EQ(std::count(pgm.begin(), pgm.end(), static_cast<char>(205)), 80 * 80);
 }
@@ -98,7 +98,7 @@ TEST(Mapper, CountsAnUnknownAccessPointsPoseAsPath) {
   EXPECT_EQ(mapper.insert(reading(2, 5.05, 5.05, -40, 7)), InsertResult::kUnknownAccessPoint);
   const auto snapshot = mapper.infer();
   ASSERT_EQ(snapshot->path.size(), 2U);
-  EXPECT_EQ(snapshot->path.front().walls, PathPose::kNothingHeard);
+  EXPECT_EQ(snapshot->path.front().walls, PathPose::kNoWallCount);
   EXPECT_EQ(stateAt(*snapshot, {5.05, 5.05}), CellState::kFree);
   EXPECT_EQ(stateAt(*snapshot, {2.5, 2.5}), CellState::kUnknown);
   EXPECT_EQ(snapshot->rejections.unknown_access_points.at(bssid(7)), 2U);
@@ -115,7 +115,7 @@ TEST(Mapper, ReportsThePathInTheOrderDrivenWithItsFewestWalls) {
   EXPECT_EQ(snapshot->path[1].walls, 0);  // one wall to the first, none to the second
   EXPECT_EQ(snapshot->path[2].walls, 1);
   EXPECT_EQ(snapshot->access_points[0].readings, 3U);
-  EXPECT_EQ(snapshot->access_points[0].model->walls(), 1U);
+  EXPECT_EQ(snapshot->access_points[0].wall_counts->walls(), 1U);
 }
 
 TEST(Mapper, FreesTheCellUnderARobotOnTheAccessPoint) {

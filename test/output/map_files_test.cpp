@@ -5,6 +5,7 @@
 #include <random>
 
 #include "files/map_server.h"
+#include "structure_from_wifi/mapper.h"
 #include "structure_from_wifi/readings_io.h"
 #include "structure_from_wifi/settings_io.h"
 #include "support/ascii_world.h"
@@ -33,7 +34,7 @@ AccessPointSummary summaryOf(const std::string& bssid, const std::string& name, 
   access_point.bssid = *Bssid::parse(bssid);
   access_point.name = name;
   access_point.position = {x, y};
-  return {access_point, 3, WallCountModel::fit({-40, -50, -60}, 1)};
+  return {access_point, 3, WallCountClusters{{-45.0, -60.0}, {-52.5}}};
 }
 
 Snapshot snapshotOf(const Rows& rows) {

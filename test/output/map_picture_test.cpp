@@ -39,8 +39,8 @@ Snapshot snapshot(double width, double height, const std::string& name = "router
   access_point.name = name;
   const GridGeometry geometry(0.1, {0, 0}, std::lround(width / 0.1), std::lround(height / 0.1));
   return {BeliefMap(Grid<float>(geometry, 0.1F), {}),
-          {{0, {0.5, 0.5}, 0}, {1, {0.6, 0.5}, PathPose::kNothingHeard}, {2, {0.7, 0.5}, 9}},
-          {{access_point, 0, WallCountModel::fit({}, 0)}},
+          {{0, {0.5, 0.5}, 0}, {1, {0.6, 0.5}, PathPose::kNoWallCount}, {2, {0.7, 0.5}, 9}},
+          {{access_point, 0, WallCountClusters{}}},
           {}};
 }
 
@@ -116,7 +116,7 @@ TEST(WallCountColour, DiffersFromCountToCountAndStaysAtTheEndOfItsScale) {
 }
 
 TEST(WallCountColour, IsGreyWhereNothingWasHeard) {
-  const Colour grey = wallCountColour(PathPose::kNothingHeard);
+  const Colour grey = wallCountColour(PathPose::kNoWallCount);
   EXPECT_EQ(grey[0], grey[1]);
   EXPECT_EQ(grey[1], grey[2]);
 }

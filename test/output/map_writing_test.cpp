@@ -21,7 +21,7 @@ Snapshot snapshot(double x) {
   access_point.position = {x, 0.0};
   Grid<float> occupied(GridGeometry(0.05, {-10.0, -10.0}, 400, 400), 0.5F);
   occupied[occupied.geometry.cellAt(access_point.position)] = 0.1F;
-  return {BeliefMap(occupied, {}), {}, {{access_point, 0, WallCountModel::fit({}, 0)}}, {}};
+  return {BeliefMap(occupied, {}), {}, {{access_point, 0, WallCountClusters{}}}, {}};
 }
 
 class MapWriting : public test::TemporaryFolder {

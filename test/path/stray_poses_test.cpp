@@ -18,7 +18,7 @@ constexpr std::int64_t kSecond = 1'000'000'000;
 std::vector<PathPose> drive(int poses) {
   std::vector<PathPose> path;
   for (int i = 0; i < poses; ++i) {
-    path.push_back({i * kSecond, {0.5 * i, 1.0}, PathPose::kNothingHeard});
+    path.push_back({i * kSecond, {0.5 * i, 1.0}, PathPose::kNoWallCount});
   }
   return path;
 }

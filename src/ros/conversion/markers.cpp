@@ -91,14 +91,30 @@ visualization_msgs::Marker ellipseMarker(const AccessPointSummary& summary,
   return disc;
 }
 
-/// From where a suspect access point is said to stand to where it seems to.
-visualization_msgs::Marker doubtMarker(const AccessPointSummary& summary,
+/// An access point with its check.
+struct CheckedAccessPoint {
+  const AccessPointSummary* summary;
+  const AccessPointFit* fit;  // nullptr without a check
+
+  bool isSuspect() const { return fit != nullptr && fit->suspect; }
+};
+
+std::vector<CheckedAccessPoint> withChecks(const Snapshot& snapshot, const DataFindings& findings) {
+  std::vector<CheckedAccessPoint> all;
+  for (std::size_t i = 0; i < snapshot.access_points.size(); ++i) {
+    all.push_back({&snapshot.access_points[i], findings.fit(i)});
+  }
+  return all;
+}
+
+/// A line from the given position of a suspect access point to its estimate.
+visualization_msgs::Marker doubtMarker(const CheckedAccessPoint& checked,
                                        const std_msgs::Header& header, int id, double height) {
   constexpr double kLine = 0.05;  // [m]
   visualization_msgs::Marker line =
       marker(header, "doubts", id, visualization_msgs::Marker::LINE_LIST, kLine, kOrange);
-  line.points = {toPoint(summary.access_point.position, height),
-                 toPoint(summary.fit->estimate.position, height)};
+  line.points = {toPoint(checked.summary->access_point.position, height),
+                 toPoint(checked.fit->estimate.position, height)};
   return line;
 }
 
@@ -108,56 +124,56 @@ std::string inMetres(const char* format, double metres) {
   return text;
 }
 
-bool isSuspect(const AccessPointSummary& summary) { return summary.fit && summary.fit->suspect; }
-
-std::string labelOf(const AccessPointSummary& summary) {
-  const AccessPoint& access_point = summary.access_point;
+std::string labelOf(const CheckedAccessPoint& checked) {
+  const AccessPoint& access_point = checked.summary->access_point;
+  const std::optional<AccessPointEstimate>& estimate = checked.summary->estimate;
   std::string text = access_point.name.empty() ? access_point.bssid.str() : access_point.name;
-  if (summary.estimate) {
-    text += inMetres("\nestimated, ± %.1f m", ellipseOf(*summary.estimate).longer_m);
-    text += summary.estimate->ambiguous ? "\none place of several" : "";
-  } else if (isSuspect(summary)) {
-    text += inMetres("\nsounds as if %.1f m away", summary.fit->distance);
+  if (estimate) {
+    text += inMetres("\nestimated, ± %.1f m", ellipseOf(*estimate).longer_m);
+    text += estimate->ambiguous ? "\none place of several" : "";
+  } else if (checked.isSuspect()) {
+    text += inMetres("\nreadings fit %.1f m away", checked.fit->distance_m);
   }
   return text;
 }
 
 /// Beside an access point, its lines clear of it.
-visualization_msgs::Marker nameMarker(const AccessPointSummary& summary,
+visualization_msgs::Marker nameMarker(const CheckedAccessPoint& checked,
                                       const std_msgs::Header& header, int id,
                                       const geometry_msgs::Point& above) {
-  const std::string text = labelOf(summary);
+  const std::string text = labelOf(checked);
   const auto more_lines = static_cast<double>(std::count(text.begin(), text.end(), '\n'));
   geometry_msgs::Point at = above;
   at.y += 0.4 + 0.5 * kLetterHeight * more_lines;
-  return label(header, "names", id, text, at, isSuspect(summary) ? kOrange : kViolet);
+  return label(header, "names", id, text, at, checked.isSuspect() ? kOrange : kViolet);
 }
 
-bool shareAPlace(const AccessPointSummary& a, const AccessPointSummary& b) {
-  return hasPosition(a) && hasPosition(b) && a.access_point.position == b.access_point.position;
+bool shareAPosition(const CheckedAccessPoint& a, const CheckedAccessPoint& b) {
+  return hasPosition(*a.summary) && hasPosition(*b.summary) &&
+         a.summary->access_point.position == b.summary->access_point.position;
 }
 
-/// Which of the radios at one place, which follow each other in the table, its label is of: the
-/// first that is suspect, or else the first. Nothing if the place has its label.
-const AccessPointSummary* labelled(const std::vector<AccessPointSummary>& all, std::size_t first) {
-  if (first > 0 && shareAPlace(all[first - 1], all[first])) {
+/// The radio that the label of a position names, of those there that follow each other in the
+/// table: the first suspect one, or else the first. Nullptr if the position has its label already.
+const CheckedAccessPoint* labelled(const std::vector<CheckedAccessPoint>& all, std::size_t first) {
+  if (first > 0 && shareAPosition(all[first - 1], all[first])) {
     return nullptr;
   }
-  for (std::size_t i = first; i < all.size() && shareAPlace(all[first], all[i]); ++i) {
-    if (isSuspect(all[i])) {
+  for (std::size_t i = first; i < all.size() && shareAPosition(all[first], all[i]); ++i) {
+    if (all[i].isSuspect()) {
       return &all[i];
     }
   }
   return &all[first];
 }
 
-void addAccessPoints(const Snapshot& snapshot, const std_msgs::Header& header,
+void addAccessPoints(const std::vector<CheckedAccessPoint>& all, const std_msgs::Header& header,
                      visualization_msgs::MarkerArray& array) {
   constexpr double kBall = 0.3;         // [m]
   constexpr double kUsualHeight = 1.0;  // [m], where the table gives none
   std::vector<visualization_msgs::Marker>& markers = array.markers;
-  for (std::size_t i = 0; i < snapshot.access_points.size(); ++i) {
-    const AccessPointSummary& summary = snapshot.access_points[i];
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const AccessPointSummary& summary = *all[i].summary;
     if (!hasPosition(summary)) {
       continue;
     }
@@ -165,17 +181,17 @@ void addAccessPoints(const Snapshot& snapshot, const std_msgs::Header& header,
     const double height = access_point.height_m.value_or(kUsualHeight);
     const int id = static_cast<int>(i);
     markers.push_back(marker(header, "access_points", id, visualization_msgs::Marker::SPHERE, kBall,
-                             isSuspect(summary) ? kOrange : kViolet));
+                             all[i].isSuspect() ? kOrange : kViolet));
     markers.back().pose.position = toPoint(access_point.position, height);
-    if (const AccessPointSummary* const named = labelled(snapshot.access_points, i)) {
+    if (const CheckedAccessPoint* const named = labelled(all, i)) {
       markers.push_back(
           nameMarker(*named, header, id, toPoint(access_point.position, height + kBall)));
     }
     if (summary.estimate) {
       markers.push_back(ellipseMarker(summary, header, id));
     }
-    if (isSuspect(summary)) {
-      markers.push_back(doubtMarker(summary, header, id, height));
+    if (all[i].isSuspect()) {
+      markers.push_back(doubtMarker(all[i], header, id, height));
     }
   }
 }
@@ -197,7 +213,7 @@ void addLegend(const Snapshot& snapshot, const std_msgs::Header& header,
 
 }  // namespace
 
-visualization_msgs::MarkerArray toMarkers(const Snapshot& snapshot,
+visualization_msgs::MarkerArray toMarkers(const Snapshot& snapshot, const DataFindings& findings,
                                           const std_msgs::Header& header) {
   visualization_msgs::MarkerArray markers;
   visualization_msgs::Marker clear;
@@ -207,7 +223,7 @@ visualization_msgs::MarkerArray toMarkers(const Snapshot& snapshot,
   if (!snapshot.path.empty()) {
     markers.markers.push_back(pathMarker(snapshot, header));
   }
-  addAccessPoints(snapshot, header, markers);
+  addAccessPoints(withChecks(snapshot, findings), header, markers);
   addLegend(snapshot, header, markers);
   return markers;
 }

@@ -45,7 +45,8 @@ nav_msgs::OccupancyGrid toGrid(const GridGeometry& geometry, const std_msgs::Hea
 }
 
 /// As the table gives it, exactly there, or as estimated; nowhere (NaN) if it could not be placed.
-structure_from_wifi::AccessPoint toMessage(const AccessPointSummary& summary) {
+structure_from_wifi::AccessPoint toMessage(const AccessPointSummary& summary,
+                                           const AccessPointFit* fit) {
   const AccessPoint& access_point = summary.access_point;
   structure_from_wifi::AccessPoint message;
   message.bssid = access_point.bssid.str();
@@ -62,10 +63,10 @@ structure_from_wifi::AccessPoint toMessage(const AccessPointSummary& summary) {
   constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
   message.fit_db = kNone;
   message.seems_to_stand_at = toPoint(Position(kNone, kNone), message.position.z);
-  if (summary.fit) {
-    message.fit_db = static_cast<float>(summary.fit->residual_db);
-    message.suspect = summary.fit->suspect ? 1 : 0;
-    message.seems_to_stand_at = toPoint(summary.fit->estimate.position, message.position.z);
+  if (fit != nullptr) {
+    message.fit_db = static_cast<float>(fit->residual_db);
+    message.suspect = fit->suspect ? 1 : 0;
+    message.seems_to_stand_at = toPoint(fit->estimate.position, message.position.z);
   }
   return message;
 }
@@ -133,11 +134,12 @@ nav_msgs::Path toPath(const Snapshot& snapshot, const std_msgs::Header& header) 
 }
 
 structure_from_wifi::AccessPoints toAccessPoints(const Snapshot& snapshot,
+                                                 const DataFindings& findings,
                                                  const std_msgs::Header& header) {
   structure_from_wifi::AccessPoints message;
   message.header = header;
-  for (const AccessPointSummary& summary : snapshot.access_points) {
-    message.access_points.push_back(toMessage(summary));
+  for (std::size_t i = 0; i < snapshot.access_points.size(); ++i) {
+    message.access_points.push_back(toMessage(snapshot.access_points[i], findings.fit(i)));
   }
   return message;
 }

@@ -8,8 +8,9 @@
 #include <structure_from_wifi/AccessPoints.h>
 
 #include "structure_from_wifi/config.h"
+#include "structure_from_wifi/data_checks.h"
 #include "structure_from_wifi/grid_geometry.h"
-#include "structure_from_wifi/mapper.h"
+#include "structure_from_wifi/snapshot.h"
 
 namespace octomap {
 class OcTree;
@@ -33,6 +34,7 @@ nav_msgs::OccupancyGrid toProbabilityGrid(const BeliefMap& belief, const std_msg
 nav_msgs::Path toPath(const Snapshot& snapshot, const std_msgs::Header& header);
 
 structure_from_wifi::AccessPoints toAccessPoints(const Snapshot& snapshot,
+                                                 const DataFindings& findings,
                                                  const std_msgs::Header& header);
 
 octomap_msgs::Octomap toBinaryOctomap(const octomap::OcTree& tree, const std_msgs::Header& header);

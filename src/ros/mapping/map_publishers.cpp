@@ -27,12 +27,13 @@ MapPublishers::MapPublishers(ros::NodeHandle& node, const Config& config) : conf
       node.advertise<octomap_msgs::Octomap>("octomap_full", 1, connected, {}, {}, kLatched);
 }
 
-void MapPublishers::publish(const std::shared_ptr<const Snapshot>& snapshot) {
+void MapPublishers::publish(const std::shared_ptr<const Snapshot>& snapshot,
+                            const DataFindings& findings) {
   std_msgs::Header header;
   header.frame_id = config_.ros.map_frame;
   header.stamp = ros::Time::now();
   const auto published = std::make_shared<const PublishedMap>(
-      PublishedMap{snapshot, toTrinaryGrid(snapshot->belief, header)});
+      PublishedMap{snapshot, findings, toTrinaryGrid(snapshot->belief, header)});
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     last_ = published;
@@ -41,8 +42,8 @@ void MapPublishers::publish(const std::shared_ptr<const Snapshot>& snapshot) {
   metadata_.publish(published->grid.info);
   probability_.publish(toProbabilityGrid(snapshot->belief, header));
   path_.publish(toPath(*snapshot, header));
-  markers_.publish(toMarkers(*snapshot, header));
-  access_points_.publish(toAccessPoints(*snapshot, header));
+  markers_.publish(toMarkers(*snapshot, findings, header));
+  access_points_.publish(toAccessPoints(*snapshot, findings, header));
   octomap_due_ = true;
 }
 

@@ -10,13 +10,15 @@
 #include <string>
 
 #include "structure_from_wifi/config.h"
-#include "structure_from_wifi/mapper.h"
+#include "structure_from_wifi/data_checks.h"
+#include "structure_from_wifi/snapshot.h"
 
 namespace sfw {
 
-/// A snapshot and the map that was published of it.
+/// A snapshot, the findings about its data, and the grid published of it.
 struct PublishedMap {
   std::shared_ptr<const Snapshot> snapshot;
+  DataFindings findings;
   nav_msgs::OccupancyGrid grid;
 };
 
@@ -30,7 +32,7 @@ class MapPublishers {
   MapPublishers(ros::NodeHandle& node, const Config& config);
 
   /// Publishes a snapshot on all topics but the OctoMaps', which are due from now on.
-  void publish(const std::shared_ptr<const Snapshot>& snapshot);
+  void publish(const std::shared_ptr<const Snapshot>& snapshot, const DataFindings& findings = {});
 
   /// Publishes the OctoMaps if they are due and somebody listens. They fall due anew when another
   /// listener comes.

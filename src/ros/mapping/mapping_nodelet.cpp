@@ -198,38 +198,42 @@ void MappingNodelet::stepMapping() {
   if (changed_ || jumped) {
     next_publication_ =
         ros::SteadyTime::now() + ros::WallDuration(1.0 / config_.ros.publish_rate_hz);
-    publishMap(Judging::kWhatChanged);
+    publishMap(Checks::kChanged);
   }
 }
 
-MappingNodelet::Mapping MappingNodelet::publishMap(Judging judging) {
-  changed_ = false;  // before the copy: what comes after it is for the next map
+MappingNodelet::Mapping MappingNodelet::publishMap(Checks checks) {
+  changed_ = false;  // before the copy: readings that come after it are for the next map
   last_map_correction_ = latestFix(config_.ros, *transforms_);
-  Mapping mapping{mapper_->corrected(last_map_correction_), nullptr};
-  if (const std::shared_ptr<const Snapshot> inferred = mapping.copy.mapper.infer(stop_)) {
-    const auto judged = std::make_shared<Snapshot>(*inferred);
-    if (judging == Judging::kAll) {
-      judge_.checkAll(mapping.copy.mapper, *judged, stop_);
-    } else if (judge_.checkChanged(mapping.copy.mapper, *judged, stop_)) {
-      changed_ = true;  // the others are judged at the next refresh, even if nothing more is heard
-    }
-    mapping.snapshot = stop_ ? nullptr : judged;
+  Mapping mapping{mapper_->corrected(last_map_correction_), nullptr, {}};
+  mapping.snapshot = mapping.copy.mapper.infer(stop_);
+  if (!mapping.snapshot) {
+    return mapping;
+  }
+  mapper_->keepExtent(mapping.snapshot->extent, mapping.copy);
+  mapping.findings = checks == Checks::kAll ? checker_.checkAll(*mapping.snapshot, stop_)
+                                            : checker_.checkChanged(*mapping.snapshot, stop_);
+  if (mapping.findings.unfinished) {
+    changed_ = true;  // the next refresh checks the others, even without another reading
+  }
+  if (stop_) {
+    mapping.snapshot = nullptr;
   }
   const std::lock_guard<std::mutex> lock(publishing_);
   if (mapping.snapshot && mapping.copy.resets == mapper_->resets()) {
-    publishers_->publish(mapping.snapshot);
-    if (judging == Judging::kWhatChanged) {  // the others are told with all other notes
-      reportFaults(*mapping.snapshot);
+    publishers_->publish(mapping.snapshot, mapping.findings);
+    if (checks == Checks::kChanged) {  // saving a map logs the complete list
+      reportFaults(mapNotes(*mapping.snapshot, mapping.findings));
     }
   }
   return mapping;
 }
 
-void MappingNodelet::reportFaults(const Snapshot& snapshot) {
+void MappingNodelet::reportFaults(const std::vector<MapNote>& notes) {
   if (clear_reported_.exchange(false)) {
     reported_faults_.clear();
   }
-  for (const MapNote& note : mapNotes(snapshot)) {
+  for (const MapNote& note : notes) {
     if (isFault(note) && reported_faults_.emplace(note.kind, note.about).second) {
       NODELET_WARN_STREAM(note.text);
     }

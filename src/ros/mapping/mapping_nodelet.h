@@ -77,16 +77,17 @@ class MappingNodelet : public nodelet::Nodelet {
 
   // In the mapping thread.
   void stepMapping();
-  /// A map of all that is placed, and what it was made from.
+  /// A map, its data, and the findings about them.
   struct Mapping {
     SharedMapper::Copy copy;
-    std::shared_ptr<const Snapshot> snapshot;  ///< nullptr if stopped meanwhile
+    std::shared_ptr<const Snapshot> snapshot;  ///< nullptr if the nodelet stops
+    DataFindings findings;
   };
-  enum class Judging { kWhatChanged, kAll };
-  /// Makes a map, judges what it was made from, and publishes it unless a reset came in between.
-  Mapping publishMap(Judging judging);
-  /// Logs what is wrong with a map, each fault when it is seen first.
-  void reportFaults(const Snapshot& snapshot);
+  enum class Checks { kChanged, kAll };
+  /// Makes a map, checks its data, and publishes both unless a reset came in between.
+  Mapping publishMap(Checks checks);
+  /// Logs each fault once, until the next reset.
+  void reportFaults(const std::vector<MapNote>& notes);
   bool serveOctomap(bool binary, octomap_msgs::GetOctomap::Response& response);
   bool saveMap(const structure_from_wifi::SaveMap::Request& request,
                structure_from_wifi::SaveMap::Response& response);
@@ -112,7 +113,7 @@ class MappingNodelet : public nodelet::Nodelet {
   std::mutex publishing_;  // held while a map is published; a reset is one step to it
   ros::Time last_now_;
   ros::SteadyTime next_publication_;
-  DataChecker judge_;  // in the mapping thread, as is the next
+  DataChecker checker_;  // in the mapping thread, as is the next
   std::set<std::pair<MapNote::Kind, std::string>> reported_faults_;  // faults, since the last reset
   std::atomic<bool> clear_reported_{false};
   std::atomic<bool> received_{false};  // anything from a radio

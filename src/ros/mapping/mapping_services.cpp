@@ -102,7 +102,7 @@ bool MappingNodelet::saveMap(const structure_from_wifi::SaveMap::Request& reques
   const std::string directory = withHome(config_.ros.save_directory) + "/" + request.directory;
   try {
     placeObservations();
-    const Mapping mapping = publishMap(Judging::kAll);
+    const Mapping mapping = publishMap(Checks::kAll);
     if (!mapping.snapshot) {
       response.message = "mapping is shutting down";
       return true;
@@ -112,11 +112,11 @@ bool MappingNodelet::saveMap(const structure_from_wifi::SaveMap::Request& reques
       response.message = "nothing has been heard: the recording in " + directory + " stays";
       return true;
     }
-    for (const MapNote& note : mapNotes(*mapping.snapshot)) {
+    for (const MapNote& note : mapNotes(*mapping.snapshot, mapping.findings)) {
       NODELET_WARN_STREAM(note.text);
     }
     writeRecording(mapper.readings(), mapper.contacts(), *mapping.snapshot, directory);
-    writeMapFiles(*mapping.snapshot, config_, directory);
+    writeMapFiles(*mapping.snapshot, config_, directory, mapping.findings);
     response.success = 1;
     response.message = directory;
   } catch (const std::exception& error) {

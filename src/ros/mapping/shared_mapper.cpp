@@ -36,7 +36,7 @@ std::uint64_t SharedMapper::resets() const {
 
 SharedMapper::Copy SharedMapper::corrected(const std::optional<OdometryCorrection>& latest) {
   std::unique_lock<std::mutex> lock(mutex_);
-  Copy copy{mapper_, resets_};
+  Copy copy{mapper_, resets_, false};
   PathCorrector anchor = anchor_;
   lock.unlock();
   // Not kept: it depends on the moment of asking, and the map must not.
@@ -45,12 +45,15 @@ SharedMapper::Copy SharedMapper::corrected(const std::optional<OdometryCorrectio
   }
   const PathCorrection correction = anchor.correction();
   copy.mapper.correct(correction);
-  if (!correction.empty()) {
-    const Box extent = copy.mapper.extent();
-    lock.lock();
+  copy.is_corrected = !correction.empty();
+  return copy;
+}
+
+void SharedMapper::keepExtent(const Box& extent, const Copy& copy) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (copy.is_corrected && copy.resets == resets_) {
     mapper_.growTo(extent);
   }
-  return copy;
 }
 
 }  // namespace sfw

@@ -38,11 +38,14 @@ class SharedMapper {
   /// A copy to infer from, with everything where it belongs by the last that tf says.
   struct Copy {
     Mapper mapper;
-    std::uint64_t resets = 0;  ///< before it was made: with fewer than resets() it is out of date
+    std::uint64_t resets = 0;   ///< before it was made: with fewer than resets() it is out of date
+    bool is_corrected = false;  ///< the correction moved something
   };
-
-  /// The map grows, once and for all, to hold what the correction moved.
   Copy corrected(const std::optional<OdometryCorrection>& latest);
+
+  /// Makes later maps cover the extent of a map of a corrected copy, so that they do not shrink
+  /// when the correction changes. A copy that is out of date changes nothing.
+  void keepExtent(const Box& extent, const Copy& copy);
 
   std::uint64_t resets() const;
 

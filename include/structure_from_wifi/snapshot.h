@@ -1,0 +1,127 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "structure_from_wifi/access_point_estimate.h"
+#include "structure_from_wifi/belief_map.h"
+#include "structure_from_wifi/export.h"
+#include "structure_from_wifi/grid_geometry.h"
+#include "structure_from_wifi/types.h"
+
+namespace sfw {
+
+/// The outcome of inserting a reading or a contact into a mapper.
+enum class InsertResult {
+  kAccepted,
+  kPositionNotFinite,
+  kPositionTooFar,  ///< the map would have more than map/max_cells cells
+  kRssiNotFinite,
+  kRssiOutOfRange,      ///< not in (-120, 0] dBm; positive values are often percent
+  kUnknownAccessPoint,  ///< not in the table: the mapper keeps its pose as part of the path
+  kTooManyReadings,     ///< the mapper holds map/max_readings already
+};
+
+/// Names an outcome in a few words, for counters and messages.
+SFW_EXPORT const char* toString(InsertResult result);
+
+/// Counts the readings and contacts that a map does not use.
+struct Rejections {
+  std::map<InsertResult, std::size_t> count;                 ///< by the mapper's reason
+  std::map<Bssid, std::size_t> unknown_access_points;        ///< readings of each, 1000 at most
+  std::map<std::string, std::size_t> before_insertion = {};  ///< by Mapper::recordRejected's reason
+};
+
+/// Groups of signal strengths, one for each wall count, as method k_visibility finds them.
+struct WallCountClusters {
+  std::vector<double> centroids_dbm;   ///< C_0 > ... > C_K; empty without readings
+  std::vector<double> thresholds_dbm;  ///< t_1 > ... > t_K, the means of neighbouring centroids
+
+  /// The largest wall count K.
+  std::size_t walls() const { return thresholds_dbm.size(); }
+};
+
+/// An access point of the table and a summary of its readings.
+struct AccessPointSummary {
+  AccessPoint access_point;
+  std::size_t readings = 0;
+  std::optional<WallCountClusters> wall_counts;  ///< only of method k_visibility
+
+  /// The estimated position if the table gives none; access_point.position has the same value then.
+  /// Without either, the readings of the access point only add to the path.
+  std::optional<AccessPointEstimate> estimate = {};
+
+  double rssi_deviation_db = 0.0;  ///< standard deviation of its readings
+
+  /// Readings of 0 dBm, which no radio receives: some drivers report 0 for an inaudible radio.
+  std::size_t at_zero_dbm = 0;
+
+  std::vector<Sample> samples = {};  ///< its readings in the order of stamps, without stray poses
+};
+
+/// Whether an access point has a position, given or estimated.
+inline bool hasPosition(const AccessPointSummary& summary) {
+  return summary.access_point.position_known || summary.estimate;
+}
+
+/// How far the belief model used its part for each driving style; the shares sum to 1.
+struct DrivingStyleShares {
+  double along_walls = 0.0;
+  double patrol = 0.0;
+  double stroll = 0.0;
+};
+
+/// The results of method tomography beside the belief.
+struct TomographySummary {
+  /// The source of the building's direction.
+  enum class YawSource {
+    kHeadings,  ///< the robot drives mostly along two directions at right angles
+    kSpread,    ///< the long side of the driven area
+    kNone       ///< neither is clear: the axes of the map
+  };
+
+  Grid<float> wall_loss;          ///< of a signal through each cell [dB], from the radio alone
+  double building_yaw_rad = 0.0;  ///< of the building's x axis in the map frame
+  YawSource yaw_source = YawSource::kNone;
+  DrivingStyleShares style = {};
+  double explained_variance = 0.0;  ///< share of the signals' variance around the log-distance law
+};
+
+/// Poses that the robot cannot have reached: it would have had to jump there and back. A map uses
+/// no reading and no contact from such a pose.
+struct StrayPoses {
+  std::size_t count = 0;
+  std::int64_t first_stamp_ns = 0;
+  double farthest_m = 0.0;  ///< from the last pose before it that is not stray, or the first after
+};
+
+/// The speed of a path, and its jumps to places from which it goes on.
+struct PathMotion {
+  double usual_speed_m_s = 0.0;          ///< median of the steps
+  std::size_t jumps = 0;                 ///< steps that the robot cannot have driven
+  std::int64_t first_jump_stamp_ns = 0;  ///< of the pose after the first jump
+  double farthest_jump_m = 0.0;
+};
+
+/// A map and the data that it was made from. Immutable; threads share it.
+struct Snapshot {
+  BeliefMap belief;
+  std::vector<PathPose> path;                     ///< in the order driven, without stray poses
+  std::vector<AccessPointSummary> access_points;  ///< in the order of the table
+  Rejections rejections;
+  std::optional<TomographySummary> tomography = {};  ///< only of method tomography
+  StrayPoses stray = {};
+  PathMotion motion = {};
+
+  /// Readings without effect: the same radio has a stronger reading at the same stamp and at
+  /// another position. They show that stamps were rounded.
+  std::size_t stamped_alike = 0;
+
+  Box extent = {};  ///< of access points, path and contacts, without the map's margin [m]
+};
+
+}  // namespace sfw

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+namespace sfw {
+
+/// Erases the elements that fulfil a predicate, which is asked once for each, in order.
+template <class T, class Predicate>
+void eraseIf(std::vector<T>& all, Predicate&& predicate) {
+  auto kept = all.begin();
+  for (auto one = all.begin(); one != all.end(); ++one) {
+    if (!predicate(*one)) {
+      *kept++ = std::move(*one);
+    }
+  }
+  all.erase(kept, all.end());
+}
+
+}  // namespace sfw

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <vector>
+
+#include "structure_from_wifi/snapshot.h"
+#include "structure_from_wifi/types.h"
+
+namespace sfw {
+
+/// The readings of one access point in the order of stamps.
+struct AccessPointReadings {
+  std::vector<Sample> samples;
+  std::vector<std::size_t> poses;  ///< index of each sample's pose in the path
+};
+
+/// The data of a map: everything that was inserted, less stray poses and repeated readings.
+struct Inliers {
+  std::vector<PathPose> path;                 ///< every pose once, in the order driven
+  std::vector<AccessPointReadings> readings;  ///< by access point, in the order of the table
+  std::vector<Contact> contacts;
+  StrayPoses stray = {};
+  PathMotion motion = {};
+  std::size_t stamped_alike = 0;  ///< as Snapshot::stamped_alike
+};
+
+/// Removes the readings and contacts at stray poses, and all but the strongest reading of each
+/// radio at each stamp.
+/// @param sorted    all readings, as sortedByStamp returns them
+/// @param index_of  the index of each access point in the table; readings of others only add poses
+/// O(readings log readings).
+Inliers withoutStrayPoses(std::vector<Reading> sorted, std::vector<Contact> contacts,
+                          const std::map<Bssid, std::size_t>& index_of);
+
+std::vector<Position> positionsOf(const std::vector<PathPose>& path);
+
+/// Sorts readings by stamp and bssid, the strongest first where both are equal.
+std::vector<Reading> sortedByStamp(std::vector<Reading> readings);
+
+/// Keeps the first reading of each radio at each stamp.
+/// @param sorted  as sortedByStamp returns them
+std::vector<Reading> strongestOfEachStamp(std::vector<Reading> sorted);
+
+}  // namespace sfw

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mapping/inliers.h"
+#include "structure_from_wifi/config.h"
+#include "structure_from_wifi/path_correction.h"
+#include "structure_from_wifi/snapshot.h"
+#include "structure_from_wifi/types.h"
+
+namespace sfw {
+
+/// Keeps readings and contacts, rejects those that a map cannot use, and knows the map's extent.
+///
+/// Its functions are documented at those of Mapper with the same name. Not thread-safe.
+class ReadingStore {
+ public:
+  /// @throw InputError if the table of access points cannot be used.
+  ReadingStore(const Config::Map& config, const std::vector<AccessPoint>& access_points);
+
+  InsertResult insert(const Reading& reading);
+  InsertResult insert(const Contact& contact);
+  void recordRejected(const std::string& reason, std::size_t count);
+  void correct(const PathCorrection& correction);
+  void growTo(const Box& extent);
+  void reset();
+
+  const std::vector<AccessPoint>& accessPoints() const { return table_->access_points; }
+  std::vector<Reading> readings() const;
+  const std::vector<Contact>& contacts() const { return contacts_; }
+  const Rejections& rejections() const { return rejections_; }
+
+  /// The data of a map. O(readings log readings).
+  Inliers inliers() const;
+
+  /// The extent of a map of such data [m], without its margin.
+  Box extentOf(const Inliers& inliers) const;
+
+  /// The grid of a map with such an extent.
+  /// @throw InputError if it would have more than map/max_cells cells.
+  GridGeometry geometryOf(const Box& extent) const;
+
+ private:
+  InsertResult examine(const Reading& reading) const;
+  InsertResult accept(const Reading& reading);
+
+  /// Extends the reserved extent to a point, unless the map would be too large.
+  InsertResult makeRoomFor(const Position& point);
+  InsertResult reserve(const Position& point);
+  bool fits(const Box& extent) const;
+
+  /// Extends the reserved extent to everything.
+  /// @return false, and changes nothing, if the map would be too large.
+  bool reserveAll();
+  /// Drops the readings and contacts that the map has no room for, in order of arrival.
+  void dropWhatDoesNotFit();
+
+  struct Table {
+    std::vector<AccessPoint> access_points;
+    std::map<Bssid, std::size_t> index_of;
+  };
+
+  Config::Map config_;
+  std::shared_ptr<const Table> table_;  // never changes: copies share it
+  std::vector<Reading> readings_;
+  std::vector<Contact> contacts_;
+  Rejections rejections_;
+
+  Box least_extent_;  // of a map without readings
+  // All positions that were accepted lie in the reserved extent, stray or not. It decides on the
+  // next position. Where that does not fit, the room that stray poses take is given back.
+  Box reserved_extent_;
+  bool holds_stray_room_ = false;  // false: the reserved extent is that of the inliers
+};
+
+}  // namespace sfw

@@ -1,0 +1,91 @@
+#include <cmath>
+#include <utility>
+
+#include "belief/belief_model.h"
+#include "belief/fused_belief.h"
+#include "mapping/map_method.h"
+
+namespace sfw {
+namespace {
+
+/// The number of interior walls with such a loss (5 dB each, ns-3's default).
+int wallsOf(double loss_db) {
+  constexpr double kUsualWall = 5.0;  // [dB]
+  return static_cast<int>(std::lround(loss_db / kUsualWall));
+}
+
+std::vector<int> wallsOf(const std::vector<double>& losses_db) {
+  std::vector<int> walls;
+  walls.reserve(losses_db.size());
+  for (const double loss_db : losses_db) {
+    walls.push_back(wallsOf(loss_db));
+  }
+  return walls;
+}
+
+TomographySummary::YawSource toYawSource(BuildingFrame::Source source) {
+  switch (source) {
+    case BuildingFrame::Source::kHeadings:
+      return TomographySummary::YawSource::kHeadings;
+    case BuildingFrame::Source::kSpread:
+      return TomographySummary::YawSource::kSpread;
+    case BuildingFrame::Source::kNone:
+      break;
+  }
+  return TomographySummary::YawSource::kNone;
+}
+
+TomographySummary summaryOf(FusedBelief&& fused) {
+  const auto shareOf = [&](DrivingStyle style) {
+    return fused.style[static_cast<std::size_t>(style)];
+  };
+  return {std::move(fused.wall_loss),
+          fused.frame.yaw_rad,
+          toYawSource(fused.frame.source),
+          {shareOf(DrivingStyle::kAlongWalls), shareOf(DrivingStyle::kPatrol),
+           shareOf(DrivingStyle::kStroll)},
+          fused.explained};
+}
+
+/// Line-field tomography and the fused belief (doc/method/walls.md, doc/method/belief.md).
+class TomographyMethod : public MapMethod {
+ public:
+  explicit TomographyMethod(const Config& config)
+      : config_(config), model_(configuredBeliefModel(config.belief)) {}
+
+  MethodResult infer(const GridGeometry& geometry, const Inliers& inliers,
+                     const std::vector<AccessPointSummary>& access_points, UseRadio use_radio,
+                     const std::atomic<bool>& stop) const override {
+    DriveData drive{positionsOf(inliers.path), {}, inliers.contacts};
+    std::vector<std::size_t> used;  // index of each access point in the drive
+    for (std::size_t i = 0; i < access_points.size(); ++i) {
+      const std::vector<Sample>& samples = inliers.readings[i].samples;
+      if (hasPosition(access_points[i]) && !samples.empty()) {
+        const AccessPoint& access_point = access_points[i].access_point;
+        drive.heard.push_back({access_point.position, access_point.height_m, samples});
+        used.push_back(i);
+      }
+    }
+    FusedBelief fused = inferOccupancyByTomography(geometry, drive, model_, config_,
+                                                   use_radio == UseRadio::kYes, stop);
+    MethodResult result{std::move(fused.occupied)};
+    result.walls.resize(access_points.size());
+    for (std::size_t i = 0; i < used.size(); ++i) {
+      result.walls[used[i]] = wallsOf(fused.sample_loss[i]);
+    }
+    result.tomography = summaryOf(std::move(fused));
+    return result;
+  }
+
+ private:
+  Config config_;
+  BeliefModel model_;
+};
+
+}  // namespace
+
+std::unique_ptr<const MapMethod> makeTomographyMethod(const Config& config) {
+  return std::make_unique<TomographyMethod>(config);
+}
+
+}  // namespace sfw
