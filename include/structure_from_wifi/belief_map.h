@@ -23,9 +23,13 @@ class SFW_EXPORT BeliefMap {
   BeliefMap(const GridGeometry& geometry, const Config::Belief& config);
 
   /// @param occupied probability of being occupied; a value that is not in [0, 1] counts as 0.5
+  /// @param config   thresholds of free and occupied
   BeliefMap(const Grid<float>& occupied, const Config::Belief& config);
 
+  /// The grid of the map.
   const GridGeometry& geometry() const { return geometry_; }
+
+  /// MRPT's grid, for programs that use MRPT; include <mrpt/maps/COccupancyGridMap2D.h>.
   const mrpt::maps::COccupancyGridMap2D& grid() const { return *grid_; }
 
   /// Probability that a contained cell is occupied.
@@ -34,6 +38,7 @@ class SFW_EXPORT BeliefMap {
   /// True if anything at all is known of a contained cell.
   bool known(Cell c) const;
 
+  /// Free, occupied or unknown, by the thresholds of the configuration.
   CellState state(Cell c) const;
 
  private:

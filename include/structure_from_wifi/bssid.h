@@ -19,9 +19,12 @@ class SFW_EXPORT Bssid {
   /// The canonical form, lower case with colons.
   std::string str() const;
 
+  /// Compares addresses.
+  /// @{
   friend bool operator==(Bssid a, Bssid b) { return a.value_ == b.value_; }
   friend bool operator!=(Bssid a, Bssid b) { return a.value_ != b.value_; }
   friend bool operator<(Bssid a, Bssid b) { return a.value_ < b.value_; }
+  /// @}
 
  private:
   std::uint64_t value_ = 0;

@@ -16,18 +16,18 @@ struct Config {
 
   /// Extent and resolution of the map.
   struct Map {
-    double resolution_m = 0.05;         ///< edge of a cell
-    double margin_m = 1.0;              ///< kept around poses and access points
-    double growth_step_m = 8.0;         ///< the map's edges lie on multiples of this
-    std::int64_t max_cells = 16000000;  ///< a larger map is refused
-    std::int64_t max_readings = 5000000;
-  } map;
+    double resolution_m = 0.05;           ///< edge of a cell
+    double margin_m = 1.0;                ///< kept around poses and access points
+    double growth_step_m = 8.0;           ///< the map's edges lie on multiples of this
+    std::int64_t max_cells = 16000000;    ///< a larger map is refused
+    std::int64_t max_readings = 5000000;  ///< more are refused
+  } map;                                  ///< settings map/*
 
   /// The robot on its path; both methods use it.
   struct Path {
     double footprint_radius_m = 0.15;  ///< of the robot
     double max_gap_m = 1.0;            ///< poses farther apart are not joined into a path
-  } path;
+  } path;                              ///< settings path/*
 
   /// Method "k_visibility": from signal strength to wall counts, and from these to cells.
   struct KVisibility {
@@ -37,9 +37,9 @@ struct Config {
     std::int64_t wall_count = 0;      ///< largest wall count K; 0 lets the data choose
     std::int64_t max_wall_count = 4;  ///< largest K that the data may choose
     double min_wall_loss_db = 5.0;    ///< least distance of neighbouring centroids
-    double wall_thickness_m = 0.10;
-    double wall_prior = 0.02;  ///< share of the area that is wall before any reading
-  } k_visibility;
+    double wall_thickness_m = 0.10;   ///< of each wall that a count finds
+    double wall_prior = 0.02;         ///< share of the area that is wall before any reading
+  } k_visibility;                     ///< settings k_visibility/*
 
   /// Method "tomography": from all readings to the losses of walls.
   struct Tomography {
@@ -50,34 +50,34 @@ struct Config {
     double nugget_db = 2.0;               ///< standard deviation of a bin that no wall explains
     std::int64_t wall_directions = 2;     ///< that walls may have: 2, 4, 6 or 8
     std::int64_t ensemble_size = 8;       ///< solutions that are averaged
-  } tomography;
+  } tomography;                           ///< settings tomography/*
 
   /// From probability to free, occupied and unknown.
   struct Belief {
     double free_threshold = 0.2;       ///< free below this probability of being occupied
     double occupied_threshold = 0.65;  ///< occupied above it
     std::string model;                 ///< file of `sfw fit` for tomography; empty: as shipped
-  } belief;
+  } belief;                            ///< settings belief/*
 
   /// Extrusion into OctoMap.
   struct Octomap {
     double wall_height_m = 2.5;   ///< occupied cells reach from the floor to here
     double robot_height_m = 0.5;  ///< free cells reach from the floor to here
-  } octomap;
+  } octomap;                      ///< settings octomap/*
 
   /// Settings of the ROS side alone.
   struct Ros {
-    std::string map_frame = "map";
-    std::string antenna_frame = "base_link";
-    std::string odom_frame = "odom";   ///< readings follow it when the past is corrected
-    double jump_distance_m = 0.1;      ///< a larger correction of odom_frame moves the past
-    double jump_angle_rad = 0.05;      ///< likewise
-    double publish_rate_hz = 1.0;      ///< most map updates a second
-    double transform_timeout_s = 5.0;  ///< a scan waits this long for its transform
-    double tf_cache_s = 30.0;          ///< transforms are kept this long
-    std::int64_t max_waiting = 2000;   ///< scans that may wait for a transform
-    std::string save_directory = "~/.ros/structure_from_wifi";
-  } ros;
+    std::string map_frame = "map";            ///< of the map and the access points
+    std::string antenna_frame = "base_link";  ///< whose position a reading has
+    std::string odom_frame = "odom";          ///< readings follow it when the past is corrected
+    double jump_distance_m = 0.1;             ///< a larger correction of odom_frame moves the past
+    double jump_angle_rad = 0.05;             ///< likewise
+    double publish_rate_hz = 1.0;             ///< most map updates a second
+    double transform_timeout_s = 5.0;         ///< a scan waits this long for its transform
+    double tf_cache_s = 30.0;                 ///< transforms are kept this long
+    std::int64_t max_waiting = 2000;          ///< scans that may wait for a transform
+    std::string save_directory = "~/.ros/structure_from_wifi";  ///< of ~save_map
+  } ros;                                                        ///< settings ros/*
 };
 
 /// Calls `visit(name, member)` for each setting in the order of config/mapping.yaml.

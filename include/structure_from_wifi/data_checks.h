@@ -39,11 +39,13 @@ struct DataFindings {
 /// Not thread-safe.
 class SFW_EXPORT DataChecker {
  public:
-  /// Checks everything anew: the result depends on the snapshot alone.
-  /// @param stop  polled between access points; once it is true, the rest stays unchecked
-  /// Takes about 0.1 s for each access point.
+  /// Checks everything anew: the result depends on the snapshot alone. Takes about 0.1 s for each
+  /// access point. Once `stop` is true, the rest stays unchecked; it is polled between access
+  /// points.
+  /// @{
   DataFindings checkAll(const Snapshot& snapshot, const std::atomic<bool>& stop);
   DataFindings checkAll(const Snapshot& snapshot);
+  /// @}
 
   /// Checks the access points whose readings have changed most, 4 at most: those with a tenth more
   /// readings than at their last check, or with readings that a correction of the path moved. The

@@ -11,11 +11,14 @@ namespace sfw {
 
 /// Column and row of a cell; row 0 is the lowest y, as in nav_msgs/OccupancyGrid.
 struct Cell {
-  std::int64_t x = 0;
-  std::int64_t y = 0;
+  std::int64_t x = 0;  ///< column
+  std::int64_t y = 0;  ///< row
 
+  /// Compares column and row.
+  /// @{
   friend bool operator==(Cell a, Cell b) { return a.x == b.x && a.y == b.y; }
   friend bool operator!=(Cell a, Cell b) { return !(a == b); }
+  /// @}
 };
 
 /// Where a grid lies in the map frame and how fine it is. Immutable.
@@ -48,12 +51,18 @@ class SFW_EXPORT GridGeometry {
   /// Whether covering() returns a grid for these arguments, and does not throw.
   static bool canCover(const Box& box, double resolution_m, double step_m, std::int64_t max_cells);
 
+  /// The edge of a cell [m].
   double resolution() const { return resolution_m_; }
+  /// The lower left corner of cell (0, 0) in the map frame [m].
   const Position& origin() const { return origin_; }
+  /// The number of columns.
   std::int64_t width() const { return width_; }
+  /// The number of rows.
   std::int64_t height() const { return height_; }
+  /// The number of cells.
   std::size_t size() const { return static_cast<std::size_t>(width_ * height_); }
 
+  /// Whether a cell lies in the grid.
   bool contains(Cell c) const { return c.x >= 0 && c.y >= 0 && c.x < width_ && c.y < height_; }
 
   /// Row-major position of a contained cell.
@@ -77,11 +86,14 @@ class SFW_EXPORT GridGeometry {
   /// The rectangle that the grid covers [m].
   Box box() const;
 
+  /// Compares resolution, origin and size, exactly.
+  /// @{
   friend bool operator==(const GridGeometry& a, const GridGeometry& b) {
     return a.resolution_m_ == b.resolution_m_ && a.origin_ == b.origin_ && a.width_ == b.width_ &&
            a.height_ == b.height_;
   }
   friend bool operator!=(const GridGeometry& a, const GridGeometry& b) { return !(a == b); }
+  /// @}
 
  private:
   double resolution_m_;
@@ -93,14 +105,18 @@ class SFW_EXPORT GridGeometry {
 /// A value for every cell of a geometry, row-major from the lowest y.
 template <class T>
 struct Grid {
+  /// Gives every cell the same value.
   explicit Grid(const GridGeometry& g, const T& value = T())
       : geometry(g), cells(g.size(), value) {}
 
+  /// The value of a contained cell.
+  /// @{
   T& operator[](Cell c) { return cells[geometry.index(c)]; }
   const T& operator[](Cell c) const { return cells[geometry.index(c)]; }
+  /// @}
 
-  GridGeometry geometry;
-  std::vector<T> cells;
+  GridGeometry geometry;  ///< of the cells
+  std::vector<T> cells;   ///< geometry.size() values, row-major
 };
 
 /// Column and row of a grid's first cell on the lattice through the map frame's origin.

@@ -11,6 +11,7 @@ namespace sfw {
 
 /// A sentence about a map for its user.
 struct MapNote {
+  /// The subject of a note.
   enum class Kind {
     kTooLittle,  ///< too few poses or readings so far
     kStamps,
@@ -21,9 +22,9 @@ struct MapNote {
     kOctomap,
     kDrift,
   };
-  Kind kind;
+  Kind kind;          ///< its subject
   std::string about;  ///< distinguishes notes of one kind, such as the bssid of an access point
-  std::string text;
+  std::string text;   ///< one or two sentences
 };
 
 /// Whether a note reports a fault. The other notes report missing data, as every drive begins with.

@@ -30,20 +30,26 @@ class SFW_EXPORT Mapper {
  public:
   /// @throw InputError if the configuration or the table of access points cannot be used.
   Mapper(const Config& config, const std::vector<AccessPoint>& access_points);
+  /// Copies or moves readings and settings.
+  /// @{
   Mapper(const Mapper& other);
   Mapper(Mapper&& other) noexcept;
   Mapper& operator=(const Mapper& other);
   Mapper& operator=(Mapper&& other) noexcept;
+  /// @}
   ~Mapper();
 
   /// Adds a reading or a contact. Any result but kAccepted and kUnknownAccessPoint leaves the map
   /// as it was. O(log access points), but O(readings log readings) for the first position that
   /// seems too far after some that did not.
+  /// @{
   InsertResult insert(const Reading& reading);
   InsertResult insert(const Contact& contact);
+  /// @}
 
   /// Counts readings that were rejected before insertion, for the report.
   /// @param reason  in words
+  /// @param count   number of readings
   void recordRejected(const std::string& reason, std::size_t count);
 
   /// Moves all readings and contacts by the correction of a localisation. A reading or contact that
@@ -70,12 +76,15 @@ class SFW_EXPORT Mapper {
   /// Every contact, in order of arrival.
   const std::vector<Contact>& contacts() const;
 
+  /// The readings and contacts that no map uses.
   const Rejections& rejections() const;
 
   /// Infers the map of all readings so far.
   /// @param stop  polled while inferring; nullptr is returned once it is true
+  /// @{
   std::shared_ptr<const Snapshot> infer(const std::atomic<bool>& stop) const;
   std::shared_ptr<const Snapshot> infer() const;
+  /// @}
 
   /// Infers the map without any signal strength: an ablation that shows the radio's share.
   std::shared_ptr<const Snapshot> inferWithoutRadio() const;

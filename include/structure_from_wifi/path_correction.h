@@ -10,7 +10,7 @@ namespace sfw {
 
 /// Where the robot was said to be at a time, and the correction of the odometry behind that.
 struct OdometryCorrection {
-  std::int64_t stamp_ns = 0;
+  std::int64_t stamp_ns = 0;                   ///< of the pose
   Position antenna_in_map = Position::Zero();  ///< [m]
   Position odom_in_map = Position::Zero();     ///< origin of the odometry's frame [m]
   double odom_yaw_rad = 0.0;                   ///< of the odometry's frame in the map's
@@ -59,7 +59,7 @@ class SFW_EXPORT PathCorrector {
   /// A correction that changes by more than this from a fix to the next is a jump.
   struct Tolerance {
     double distance_m = 0.1;  ///< of the antenna
-    double turn_rad = 0.05;
+    double turn_rad = 0.05;   ///< of the odometry's frame
   };
 
   /// Whether the odometry is corrected by a jump from one fix to another.
@@ -67,13 +67,16 @@ class SFW_EXPORT PathCorrector {
                      const Tolerance& tolerance);
 
   PathCorrector() = default;
+  /// @param tolerance  between jumps and small corrections
   explicit PathCorrector(const Tolerance& tolerance) : tolerance_(tolerance) {}
 
   /// Adds a fix; of several of one time, one counts. What is not finite is left out.
   void insert(const OdometryCorrection& fix);
 
+  /// Forgets all fixes.
   void clear() { fixes_.clear(); }
 
+  /// The number of fixes.
   std::size_t size() const { return fixes_.size(); }
 
   /// The correction of the past that all fixes together ask for.

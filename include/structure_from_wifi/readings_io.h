@@ -12,13 +12,13 @@ namespace sfw {
 
 /// Rows of a file that were skipped for one reason.
 struct SkippedRows {
-  std::size_t count = 0;
-  std::string first;  ///< where and what the first one was: "line 7: rssi_dbm 'abc'"
+  std::size_t count = 0;  ///< number of rows
+  std::string first;      ///< where and what the first one was: "line 7: rssi_dbm 'abc'"
 };
 
 /// The readings of a file and what was left out.
 struct ReadingFile {
-  std::vector<Reading> readings;
+  std::vector<Reading> readings;               ///< in the order of the file
   std::map<std::string, SkippedRows> skipped;  ///< by reason
 };
 

@@ -15,7 +15,7 @@ namespace sfw {
 
 /// A configuration and what its author should hear although it can be used.
 struct ConfigReading {
-  Config config;
+  Config config;                      ///< valid, with defaults where the file names no value
   std::vector<std::string> warnings;  ///< unknown keys, each with the nearest known one
 };
 
@@ -30,8 +30,8 @@ SFW_EXPORT ConfigReading readConfig(const std::string& file);
 
 /// Access points and what the author of their table should hear although it can be used.
 struct AccessPointReading {
-  std::vector<AccessPoint> access_points;
-  std::vector<std::string> warnings;  ///< keys that nobody reads
+  std::vector<AccessPoint> access_points;  ///< in the order of the table
+  std::vector<std::string> warnings;       ///< keys that nobody reads
 };
 
 /// Reads `[{bssid, x?, y?, z?, name?, tx_dbm?}]`.

@@ -47,8 +47,8 @@ struct WallCountClusters {
 
 /// An access point of the table and a summary of its readings.
 struct AccessPointSummary {
-  AccessPoint access_point;
-  std::size_t readings = 0;
+  AccessPoint access_point;                      ///< as in the table
+  std::size_t readings = 0;                      ///< number of its readings
   std::optional<WallCountClusters> wall_counts;  ///< only of method k_visibility
 
   /// The estimated position if the table gives none; access_point.position has the same value then.
@@ -70,9 +70,9 @@ inline bool hasPosition(const AccessPointSummary& summary) {
 
 /// How far the belief model used its part for each driving style; the shares sum to 1.
 struct DrivingStyleShares {
-  double along_walls = 0.0;
-  double patrol = 0.0;
-  double stroll = 0.0;
+  double along_walls = 0.0;  ///< the robot follows the walls
+  double patrol = 0.0;       ///< the robot visits rooms one after another
+  double stroll = 0.0;       ///< a person steers, without a plan
 };
 
 /// The results of method tomography beside the belief.
@@ -86,16 +86,16 @@ struct TomographySummary {
 
   Grid<float> wall_loss;          ///< of a signal through each cell [dB], from the radio alone
   double building_yaw_rad = 0.0;  ///< of the building's x axis in the map frame
-  YawSource yaw_source = YawSource::kNone;
-  DrivingStyleShares style = {};
+  YawSource yaw_source = YawSource::kNone;  ///< where that direction comes from
+  DrivingStyleShares style = {};            ///< of the belief model
   double explained_variance = 0.0;  ///< share of the signals' variance around the log-distance law
 };
 
 /// Poses that the robot cannot have reached: it would have had to jump there and back. A map uses
 /// no reading and no contact from such a pose.
 struct StrayPoses {
-  std::size_t count = 0;
-  std::int64_t first_stamp_ns = 0;
+  std::size_t count = 0;            ///< of poses
+  std::int64_t first_stamp_ns = 0;  ///< of the first one
   double farthest_m = 0.0;  ///< from the last pose before it that is not stray, or the first after
 };
 
@@ -104,18 +104,18 @@ struct PathMotion {
   double usual_speed_m_s = 0.0;          ///< median of the steps
   std::size_t jumps = 0;                 ///< steps that the robot cannot have driven
   std::int64_t first_jump_stamp_ns = 0;  ///< of the pose after the first jump
-  double farthest_jump_m = 0.0;
+  double farthest_jump_m = 0.0;          ///< length of the longest jump
 };
 
 /// A map and the data that it was made from. Immutable; threads share it.
 struct Snapshot {
-  BeliefMap belief;
-  std::vector<PathPose> path;                     ///< in the order driven, without stray poses
-  std::vector<AccessPointSummary> access_points;  ///< in the order of the table
-  Rejections rejections;
+  BeliefMap belief;                                  ///< probability of each cell
+  std::vector<PathPose> path;                        ///< in the order driven, without stray poses
+  std::vector<AccessPointSummary> access_points;     ///< in the order of the table
+  Rejections rejections;                             ///< data that the map does not use
   std::optional<TomographySummary> tomography = {};  ///< only of method tomography
-  StrayPoses stray = {};
-  PathMotion motion = {};
+  StrayPoses stray = {};                             ///< poses that the map does not use
+  PathMotion motion = {};                            ///< speed and jumps of the path
 
   /// Readings without effect: the same radio has a stronger reading at the same stamp and at
   /// another position. They show that stamps were rounded.

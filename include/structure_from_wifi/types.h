@@ -14,36 +14,37 @@ using Position = Eigen::Vector2d;
 
 /// The signal strength of one access point, measured at one position.
 struct Reading {
-  std::int64_t stamp_ns = 0;
+  std::int64_t stamp_ns = 0;                   ///< since the epoch of the clock in use
   Position antenna_in_map = Position::Zero();  ///< [m]
-  Bssid bssid;
-  double rssi_dbm = 0.0;
+  Bssid bssid;                                 ///< of the access point
+  double rssi_dbm = 0.0;                       ///< received power
 };
 
 /// A reading whose access point and time are known from where it is kept.
 struct Sample {
   Position antenna_in_map = Position::Zero();  ///< [m]
-  double rssi_dbm = 0.0;
+  double rssi_dbm = 0.0;                       ///< received power
 };
 
 /// A point at which the robot touched an obstacle.
 struct Contact {
-  std::int64_t stamp_ns = 0;
+  std::int64_t stamp_ns = 0;                 ///< of the touch
   Position point_in_map = Position::Zero();  ///< [m]
 };
 
 /// A pose of the path.
 struct PathPose {
-  std::int64_t stamp_ns = 0;
+  std::int64_t stamp_ns = 0;                   ///< of the pose
   Position antenna_in_map = Position::Zero();  ///< [m]
   int walls = kNoWallCount;  ///< fewest walls to any access point with a reading at this pose
 
+  /// The value of `walls` where no reading gave a count.
   static constexpr int kNoWallCount = -1;
 };
 
 /// A radio transmitter at a fixed position.
 struct AccessPoint {
-  Bssid bssid;
+  Bssid bssid;                           ///< of its radio
   std::string name;                      ///< shown to people; may be empty
   Position position = Position::Zero();  ///< [m], map frame
   std::optional<double> height_m;        ///< above the floor
