@@ -1,18 +1,18 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "cli/options.h"
 
 namespace sfw {
 
-/// Each adds one subcommand to `sfw`. Its callback throws InputError or std::system_error when it
-/// cannot do its work; main() turns that into a message and exit status 1.
-void addMapCommand(CLI::App& sfw);
-void addEvaluateCommand(CLI::App& sfw);
-void addVisibilityCommand(CLI::App& sfw);
-void addDenseCommand(CLI::App& sfw);
-void addPlaceCommand(CLI::App& sfw);
-void addSimulateCommand(CLI::App& sfw);
-void addBenchCommand(CLI::App& sfw);
-void addFitCommand(CLI::App& sfw);
+/// Each function runs one subcommand of `sfw`. It declares its options, parses them and works.
+/// @throw InputError or std::system_error if it cannot do its work
+void runMap(Options& options);
+void runEvaluate(Options& options);
+void runVisibility(Options& options);
+void runDense(Options& options);
+void runChooseSites(Options& options);
+void runSimulate(Options& options);
+void runBench(Options& options);
+void runFit(Options& options);
 
 }  // namespace sfw

@@ -26,11 +26,11 @@ namespace {
 
 struct FitOptions {
   std::vector<std::string> plans;
-  std::size_t drives = 300;
-  std::size_t cells = 2500;
+  std::int64_t drives = 300;
+  std::int64_t cells = 2500;
   std::int64_t seed = 1;
   std::string config;
-  unsigned workers = std::max(1U, std::thread::hardware_concurrency());
+  std::int64_t workers = std::max(1U, std::thread::hardware_concurrency());
   std::string output;
 };
 
@@ -53,17 +53,14 @@ FloorPlan buildingFor(std::size_t drive, std::int64_t seed, const std::vector<Fl
 class Drives {
  public:
   Drives(const FitOptions& options, const std::vector<FloorPlan>& plans, const Config& config)
-      : options_(options),
-        plans_(plans),
-        config_(config),
-        progress_(kDrivingStyles * options.drives) {}
+      : options_(options), plans_(plans), config_(config), progress_(count()) {}
 
   /// Cells of all drives, in their order whatever the threads do.
   std::vector<TrainingCells> make() {
-    std::vector<std::optional<TrainingCells>> made(kDrivingStyles * options_.drives);
+    std::vector<std::optional<TrainingCells>> made(count());
     std::atomic<std::size_t> next{0};
     std::vector<std::thread> workers;
-    for (unsigned i = 0; i < options_.workers; ++i) {
+    for (std::int64_t i = 0; i < options_.workers; ++i) {
       workers.emplace_back([&] {
         for (std::size_t drive = next++; drive < made.size(); drive = next++) {
           made[drive] = makeOne(drive);
@@ -85,13 +82,17 @@ class Drives {
   }
 
  private:
+  std::size_t count() const { return kDrivingStyles * static_cast<std::size_t>(options_.drives); }
+
   std::optional<TrainingCells> makeOne(std::size_t drive) const {
     const auto style = static_cast<DrivingStyle>(drive % kDrivingStyles);
     constexpr std::int64_t kSeeds = 1000000;  // no two drives share one
     const std::int64_t seed = options_.seed * kSeeds + static_cast<std::int64_t>(drive);
     const std::optional<TrainingDrive> made =
         makeTrainingDrive(buildingFor(drive / kDrivingStyles, seed, plans_), style, seed);
-    return made ? std::optional(cellsOf(*made, config_, options_.cells, seed)) : std::nullopt;
+    return made ? std::optional(
+                      cellsOf(*made, config_, static_cast<std::size_t>(options_.cells), seed))
+                : std::nullopt;
   }
 
   const FitOptions& options_;
@@ -145,27 +146,20 @@ void run(const FitOptions& options) {
 
 }  // namespace
 
-void addFitCommand(CLI::App& sfw) {
-  const auto options = std::make_shared<FitOptions>();
-  CLI::App* command = sfw.add_subcommand(
-      "fit", "Fit the belief model to simulated drives; the file is for belief/model.");
-  command->add_option("--plan", options->plans,
-                      "plan files or directories for every second drive, beside buildings made up");
-  command->add_option("--drives", options->drives, "of each driving style")
-      ->check(CLI::Range(10, 100000))
-      ->capture_default_str();
-  command->add_option("--cells", options->cells, "of each drive, about")
-      ->check(CLI::Range(10, 1000000))
-      ->capture_default_str();
-  command->add_option("--seed", options->seed, "of all that is random")
-      ->check(CLI::Range(0, 1000000))
-      ->capture_default_str();
-  command->add_option("--config", options->config, "settings as in config/mapping.yaml");
-  command->add_option("--workers", options->workers, "threads")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
-  command->add_option("--output", options->output, "file for the model (YAML)")->required();
-  command->callback([options] { run(*options); });
+void runFit(Options& options) {
+  FitOptions fit;
+  options.addList("plan", "FILE", fit.plans,
+                  "floor plans, or directories of them, for every second drive; the other drives "
+                  "take generated buildings");
+  options.addInRange("drives", fit.drives, 10, 100000, "drives of each driving style");
+  options.addInRange("cells", fit.cells, 10, 1000000, "approximate number of cells of each drive");
+  options.addInRange("seed", fit.seed, 0, 1000000, "seed of everything random");
+  options.add("config", "FILE", fit.config, "settings as in config/mapping.yaml");
+  options.addInRange("workers", fit.workers, 1, 256, "threads");
+  options.addRequired("output", "FILE", fit.output, "file for the model (YAML)");
+  if (options.parse()) {
+    run(fit);
+  }
 }
 
 }  // namespace sfw

@@ -1,38 +1,99 @@
+#include <algorithm>
 #include <exception>
+#include <iomanip>
 #include <iostream>
 #include <new>
 #include <string>
+#include <vector>
 
 #include "cli/commands.h"
+#include "cli/warnings.h"
+#include "structure_from_wifi/input_error.h"
 #include "structure_from_wifi/version.h"
 
+namespace sfw {
+namespace {
+
+struct Command {
+  const char* name;
+  const char* purpose;
+  void (*run)(Options&);
+};
+
+constexpr Command kCommands[] = {
+    {"map", "Make a map from a recording.", runMap},
+    {"evaluate", "Compare a map with the truth and with a map made without radio.", runEvaluate},
+    {"visibility", "Count the walls between an access point and every cell.", runVisibility},
+    {"dense", "Find the walls from a full wall-count map: dense inverse k-visibility.", runDense},
+    {"choose-sites", "Choose sites for access points in a known building and print their table.",
+     runChooseSites},
+    {"simulate", "Drive a simulated robot through a known building and record its readings.",
+     runSimulate},
+    {"bench",
+     "Map many simulated recordings and print metrics beside references and ablations. After an "
+     "interruption the same command resumes.",
+     runBench},
+    {"fit", "Fit the belief model to simulated drives. The setting belief/model names its file.",
+     runFit},
+};
+
+constexpr char kFormerChooseSites[] = "place";
+
+void printHelp(std::ostream& out) {
+  out << "Usage: sfw COMMAND OPTIONS\n\n"
+         "Maps a building from odometry and WiFi signal strength.\n\nCommands:\n";
+  for (const Command& command : kCommands) {
+    const std::string purpose = command.purpose;
+    out << "  " << std::left << std::setw(14) << command.name
+        << purpose.substr(0, purpose.find(". ")) << (purpose.find(". ") < purpose.size() ? "." : "")
+        << '\n';
+  }
+  out << "\n`sfw COMMAND --help` explains the options of a command; `sfw --version` prints the "
+         "version.\n";
+}
+
+/// @throw InputError if there is no such subcommand
+const Command& commandNamed(std::string name) {
+  if (name == kFormerChooseSites) {
+    warn("sfw place is now called sfw choose-sites; a later release will refuse the former name");
+    name = "choose-sites";
+  }
+  const auto* const found = std::find_if(std::begin(kCommands), std::end(kCommands),
+                                         [&](const Command& known) { return name == known.name; });
+  if (found == std::end(kCommands)) {
+    throw InputError("there is no subcommand '" + name + "'; see `sfw --help`");
+  }
+  return *found;
+}
+
+/// @throw InputError if the command line cannot be used, and as the subcommands
+void run(const std::vector<std::string>& arguments) {
+  if (arguments.empty()) {
+    printHelp(std::cerr);
+    throw InputError("a subcommand is missing; choose one of those above");
+  }
+  const std::string& first = arguments.front();
+  if (first == "--help" || first == "-h") {
+    printHelp(std::cout);
+  } else if (first == "--version") {
+    std::cout << "sfw " << version() << '\n';
+  } else {
+    const Command& command = commandNamed(first);
+    Options options(command.name, command.purpose, {arguments.begin() + 1, arguments.end()});
+    command.run(options);
+  }
+  std::cout.flush();
+  if (!std::cout) {
+    throw InputError("standard output cannot be written");
+  }
+}
+
+}  // namespace
+}  // namespace sfw
+
 int main(int argc, char** argv) {
-  CLI::App app{"Maps a building from odometry and WiFi signal strength.", "sfw"};
-  app.set_version_flag("--version", std::string("sfw ") + sfw::version(),
-                       "Print the version and exit");
-  // Not `required`: that would be missed before a misspelt one is named.
-  app.require_subcommand(0, 1);
-  sfw::addMapCommand(app);
-  sfw::addEvaluateCommand(app);
-  sfw::addVisibilityCommand(app);
-  sfw::addDenseCommand(app);
-  sfw::addPlaceCommand(app);
-  sfw::addSimulateCommand(app);
-  sfw::addBenchCommand(app);
-  sfw::addFitCommand(app);
   try {
-    app.parse(argc, argv);
-    if (app.get_subcommands().empty()) {
-      std::cerr << "sfw: a subcommand is missing\n" << app.help();
-      return 1;
-    }
-    std::cout.flush();
-    if (!std::cout) {
-      std::cerr << "sfw: standard output cannot be written\n";
-      return 1;
-    }
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 1;
+    sfw::run({argv + std::min(argc, 1), argv + argc});
   } catch (const std::bad_alloc&) {
     std::cerr << "sfw: out of memory; raise map/resolution or map a smaller area\n";
     return 1;

@@ -149,37 +149,33 @@ void run(const MapOptions& options) {
 
 }  // namespace
 
-void addMapCommand(CLI::App& sfw) {
-  const auto options = std::make_shared<MapOptions>();
-  CLI::App* map = sfw.add_subcommand("map", "Make a map from a recording.");
-  auto* readings = map->add_option("--readings", options->readings,
-                                   "CSV with the columns stamp, x, y, bssid, rssi_dbm");
-  auto* bag = map->add_option("--bag", options->bag, "bag with /tf and scans");
-  readings->excludes(bag);
-  map->add_option("--scan-topic", options->topics.wifi_scan, "WifiScan messages in the bag")
-      ->capture_default_str();
-  map->add_option("--connection-topic", options->topics.connection,
-                  "wireless_msgs/Connection messages in the bag")
-      ->capture_default_str();
-  map->add_option("--contact-topic", options->topics.contact_points,
-                  "PointCloud2 messages of bumpers in the bag")
-      ->capture_default_str();
-  map->add_option("--map-frame", options->map_frame, "for a bag; default: ros/map_frame");
-  map->add_option("--antenna-frame", options->antenna_frame,
-                  "for a bag; default: ros/antenna_frame");
-  map->add_option("--access-points", options->access_points,
-                  "YAML: access_points: [{bssid, x, y, z?, name?, tx_dbm?}]")
-      ->required();
-  map->add_option("--contacts", options->contacts,
-                  "CSV with the columns stamp, x, y: obstacles that the robot touched");
-  map->add_option("--config", options->config, "settings as in config/mapping.yaml");
-  map->add_option("--output", options->output, "directory for the map's files")->required();
-  map->callback([options, readings, bag] {
-    if (readings->empty() == bag->empty()) {
-      throw InputError("map needs either --readings or --bag");
-    }
-    run(*options);
-  });
+void runMap(Options& options) {
+  MapOptions map;
+  options.add("readings", "FILE", map.readings,
+              "CSV with the columns stamp, x, y, bssid, rssi_dbm; exactly one of --readings and "
+              "--bag is needed");
+  options.add("bag", "FILE", map.bag, "bag with /tf and scans");
+  options.add("scan-topic", "TOPIC", map.topics.wifi_scan, "WifiScan messages in the bag");
+  options.add("connection-topic", "TOPIC", map.topics.connection,
+              "wireless_msgs/Connection messages in the bag");
+  options.add("contact-topic", "TOPIC", map.topics.contact_points,
+              "PointCloud2 messages of bumpers in the bag");
+  options.add("map-frame", "FRAME", map.map_frame, "for a bag; default: the setting ros/map_frame");
+  options.add("antenna-frame", "FRAME", map.antenna_frame,
+              "for a bag; default: the setting ros/antenna_frame");
+  options.addRequired("access-points", "FILE", map.access_points,
+                      "YAML: access_points: [{bssid, x, y, z?, name?, tx_dbm?}]");
+  options.add("contacts", "FILE", map.contacts,
+              "CSV with the columns stamp, x, y: obstacles that the robot touched");
+  options.add("config", "FILE", map.config, "settings as in config/mapping.yaml");
+  options.addRequired("output", "DIRECTORY", map.output, "directory for the files of the map");
+  if (!options.parse()) {
+    return;
+  }
+  if (options.given("readings") == options.given("bag")) {
+    throw InputError("map needs exactly one of --readings and --bag");
+  }
+  run(map);
 }
 
 }  // namespace sfw

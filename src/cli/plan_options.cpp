@@ -14,13 +14,12 @@ FloorPlan PlanArgument::read() const {
   return readFloorPlan(file, complete);
 }
 
-void addPlanOptions(CLI::App& command, PlanArgument& plan) {
-  command.add_option("--plan", plan.file, "floor plan: map_server YAML, HouseExpo JSON, or PNG");
-  command
-      .add_option("--resolution", plan.options.resolution,
-                  "edge of a cell of a plan drawn in metres (HouseExpo) [m]")
-      ->capture_default_str();
-  command.add_option("--metres-per-pixel", plan.metres_per_pixel, "scale of a PNG");
+void addPlanOptions(Options& options, PlanArgument& plan) {
+  options.add("plan", "FILE", plan.file, "floor plan: map_server YAML, HouseExpo JSON, or PNG");
+  options.add("resolution", "METRES", plan.options.resolution,
+              "edge of a cell of a plan drawn in metres (HouseExpo) [m]");
+  options.add("metres-per-pixel", "METRES", plan.metres_per_pixel,
+              "scale of a PNG [m]; 0 leaves it out");
 }
 
 FloorPlan BuildingArgument::make(std::int64_t seed) const {
@@ -38,11 +37,10 @@ FloorPlan BuildingArgument::make(std::int64_t seed) const {
   return generatePlan(config).plan;
 }
 
-void addBuildingOptions(CLI::App& command, BuildingArgument& building) {
-  addPlanOptions(command, building.plan);
-  command.add_option("--generate", building.generate, "make a building up: flat or office");
-  command.add_option("--area", building.area, "of a building made up [m2], 30..400")
-      ->capture_default_str();
+void addBuildingOptions(Options& options, BuildingArgument& building) {
+  addPlanOptions(options, building.plan);
+  options.add("generate", "KIND", building.generate, "generate a building: flat or office");
+  options.add("area", "M2", building.area, "area of a generated building [m2], in 30..400");
 }
 
 Position parsePosition(const std::string& option, const std::string& text) {

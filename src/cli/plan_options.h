@@ -1,9 +1,9 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
 
+#include "cli/options.h"
 #include "simulation/building/floor_plan_io.h"
 #include "simulation/building/plan_generator.h"
 #include "structure_from_wifi/types.h"
@@ -21,7 +21,7 @@ struct PlanArgument {
 };
 
 /// Adds --plan, --resolution and --metres-per-pixel to a subcommand.
-void addPlanOptions(CLI::App& command, PlanArgument& plan);
+void addPlanOptions(Options& options, PlanArgument& plan);
 
 /// A building from a file or made up.
 struct BuildingArgument {
@@ -35,7 +35,7 @@ struct BuildingArgument {
 };
 
 /// Adds the options of addPlanOptions, --generate and --area to a subcommand.
-void addBuildingOptions(CLI::App& command, BuildingArgument& building);
+void addBuildingOptions(Options& options, BuildingArgument& building);
 
 /// Reads "X,Y" [m]. @throw InputError naming the option.
 Position parsePosition(const std::string& option, const std::string& text);

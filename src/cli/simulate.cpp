@@ -53,32 +53,23 @@ void run(SimulateOptions options) {
 
 }  // namespace
 
-void addSimulateCommand(CLI::App& sfw) {
-  const auto options = std::make_shared<SimulateOptions>();
-  CLI::App* command = sfw.add_subcommand(
-      "simulate", "Drive a simulated robot through a known building and record what it hears.");
-  addBuildingOptions(*command, options->building);
-  command->add_option("--access-point", options->access_points,
-                      "X,Y in the plan's frame [m]; may be repeated");
-  command
-      ->add_option("--access-points", options->scenario.access_points,
-                   "how many to place, if none is given")
-      ->check(CLI::Range(1, 100))
-      ->capture_default_str();
-  command->add_option("--noise", options->noise, "none, low, ideal, realistic or hard")
-      ->capture_default_str();
-  command->add_option("--path", options->scenario.path, "walls, sparse or a CSV of way points")
-      ->capture_default_str();
-  command->add_option("--robot-radius", options->scenario.robot_radius, "[m]")
-      ->capture_default_str();
-  command->add_option("--seed", options->scenario.seed, "decides all that is random")
-      ->capture_default_str();
-  command->add_flag("--bag", options->bag, "write recording.bag too");
-  command
-      ->add_option("--output", options->output,
-                   "directory for readings.csv, access_points.yaml, truth.yaml and truth.pgm")
-      ->required();
-  command->callback([options] { run(*options); });
+void runSimulate(Options& options) {
+  SimulateOptions simulate;
+  addBuildingOptions(options, simulate.building);
+  options.addList("access-point", "X,Y", simulate.access_points,
+                  "position of an access point in the frame of the plan [m]");
+  options.addInRange("access-points", simulate.scenario.access_points, 1, 100,
+                     "number of access points to place if no --access-point is given");
+  options.add("noise", "LEVEL", simulate.noise, "none, low, ideal, realistic or hard");
+  options.add("path", "PATH", simulate.scenario.path, "walls, sparse or a CSV of way points");
+  options.add("robot-radius", "METRES", simulate.scenario.robot_radius, "radius of the robot [m]");
+  options.add("seed", "N", simulate.scenario.seed, "seed of everything random");
+  options.addFlag("bag", simulate.bag, "also write recording.bag");
+  options.addRequired("output", "DIRECTORY", simulate.output,
+                      "directory for readings.csv, access_points.yaml, truth.yaml and truth.pgm");
+  if (options.parse()) {
+    run(simulate);
+  }
 }
 
 }  // namespace sfw

@@ -17,11 +17,11 @@ namespace {
 struct VisibilityOptions {
   PlanArgument plan;
   std::string access_point;
-  int max_k = kMostWalls;
+  std::int64_t max_k = kMostWalls;
   std::string output;
 };
 
-void runVisibility(const VisibilityOptions& options) {
+void run(const VisibilityOptions& options) {
   const Position access_point = parsePosition("--access-point", options.access_point);
   const Grid<CellState> plan = toStates(options.plan.read());
   if (!plan.geometry.contains(plan.geometry.cellAt(access_point))) {
@@ -41,7 +41,7 @@ struct DenseOptions {
   std::string output;
 };
 
-void runDense(const DenseOptions& options) {
+void run(const DenseOptions& options) {
   const KMap k_map = readKMap(options.k_map);
   const Grid<CellState> walls = denseInverseKVisibility(k_map.counts, k_map.access_point);
   const std::string picture = renderPicture(walls, k_map.access_point);
@@ -52,31 +52,29 @@ void runDense(const DenseOptions& options) {
 
 }  // namespace
 
-void addVisibilityCommand(CLI::App& sfw) {
-  const auto options = std::make_shared<VisibilityOptions>();
-  CLI::App* command =
-      sfw.add_subcommand("visibility", "Count the walls between an access point and every cell.");
-  addPlanOptions(*command, options->plan);
-  command->get_option("--plan")->required();
-  command->add_option("--access-point", options->access_point, "X,Y in the plan's frame [m]")
-      ->required();
-  command->add_option("--max-k", options->max_k, "higher counts are left out")
-      ->check(CLI::Range(0, static_cast<int>(kMostWalls)))
-      ->capture_default_str();
-  command->add_option("--output", options->output, "directory for k.pgm, k.yaml and k.png")
-      ->required();
-  command->callback([options] { runVisibility(*options); });
+void runVisibility(Options& options) {
+  VisibilityOptions visibility;
+  addPlanOptions(options, visibility.plan);
+  options.require("plan");
+  options.addRequired("access-point", "X,Y", visibility.access_point,
+                      "position of the access point in the frame of the plan [m]");
+  options.addInRange("max-k", visibility.max_k, 0, kMostWalls,
+                     "cells behind more walls get no count");
+  options.addRequired("output", "DIRECTORY", visibility.output,
+                      "directory for k.pgm, k.yaml and k.png");
+  if (options.parse()) {
+    run(visibility);
+  }
 }
 
-void addDenseCommand(CLI::App& sfw) {
-  const auto options = std::make_shared<DenseOptions>();
-  CLI::App* command =
-      sfw.add_subcommand("dense", "Find the walls from a full k map: dense inverse k-visibility.");
-  command->add_option("--k-map", options->k_map, "k.pgm or k.yaml as `sfw visibility` writes them")
-      ->required();
-  command->add_option("--output", options->output, "directory for map.pgm and map.yaml")
-      ->required();
-  command->callback([options] { runDense(*options); });
+void runDense(Options& options) {
+  DenseOptions dense;
+  options.addRequired("k-map", "FILE", dense.k_map, "k.pgm or k.yaml as `sfw visibility` writes");
+  options.addRequired("output", "DIRECTORY", dense.output,
+                      "directory for map.pgm, map.yaml and map.png");
+  if (options.parse()) {
+    run(dense);
+  }
 }
 
 }  // namespace sfw

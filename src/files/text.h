@@ -22,6 +22,9 @@ std::string_view trimmed(std::string_view text);
 /// The parts between separators; always at least one.
 std::vector<std::string_view> split(std::string_view text, char separator);
 
+/// Levenshtein's distance: insertions, deletions and substitutions that turn `a` into `b`.
+std::size_t editDistance(std::string_view a, std::string_view b);
+
 /// The text with '?' for every byte that is no part of valid UTF-8.
 std::string asUtf8(std::string_view text);
 

@@ -18,23 +18,42 @@ import junit  # noqa: E402
 from command_line_case import HEADER, MAP_FILES, NEAR, STRANGER, CommandLine, rows  # noqa: E402
 
 
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+COMMANDS = ("map", "evaluate", "visibility", "dense", "choose-sites", "simulate", "bench", "fit")
+OPTION_OF = {"evaluate": "--json", "choose-sites": "--count"}
+
+
 class Help(CommandLine):
     def test_each_command_explains_itself(self):
-        for command in ([], ["map"], ["evaluate"]):
-            with self.subTest(command=command):
-                run = self.good(self.sfw(*command, "--help"))
-                self.assertIn("Usage: sfw", run.stdout)
+        for command in COMMANDS:
+            for option in ("--help", "-h"):
+                with self.subTest(command=command, option=option):
+                    run = self.good(self.sfw(command, option))
+                    self.assertIn("Usage: sfw " + command, run.stdout)
+                    self.assertIn(OPTION_OF.get(command, "--output"), run.stdout)
+
+    def test_help_names_placeholder_default_range_and_unit(self):
+        text = " ".join(self.good(self.sfw("simulate", "--help")).stdout.split())
+        self.assertIn("--access-points N number of access points to place if no --access-point is "
+                      "given, in 1..100; default: 1", text)
+        self.assertIn("--robot-radius METRES radius of the robot [m]; default: 0.15", text)
+        self.assertIn("--output DIRECTORY", text)
 
     def test_the_programs_help_names_its_commands(self):
         text = self.good(self.sfw("--help")).stdout
-        for command in ("map", "evaluate"):
+        for command in COMMANDS:
             self.assertIn(command, text)
 
+    def test_the_version_is_that_of_the_package(self):
+        version = re.search("<version>(.*)</version>", (ROOT / "package.xml").read_text())[1]
+        self.assertEqual(self.good(self.sfw("--version")).stdout, "sfw %s\n" % version)
+
     def test_unknown_commands_and_options_are_named(self):
-        self.bad(self.sfw("mop"), "mop")
+        self.bad(self.sfw("mop"), "'mop'", "sfw --help")
         self.bad(self.sfw(), "subcommand")
-        self.bad(self.map("--resolution", "0.1"), "--resolution")
-        self.bad(self.sfw("evaluate", "--mup", "x"), "--map")
+        self.bad(self.map("--resolution", "0.1"), "--resolution", "sfw map --help")
+        self.bad(self.sfw("evaluate", "--mup", "x"), "--mup", "did you mean --map?")
+        self.bad(self.map("stray"), "'stray'", "sfw map --help")
 
     def test_missing_options_are_named(self):
         self.bad(self.sfw("map", "--readings", self.readings, "--output", self.output),
@@ -42,26 +61,63 @@ class Help(CommandLine):
         self.bad(self.sfw("map", "--readings", self.readings, "--access-points",
                           self.access_points), "--output")
 
+    def test_a_value_that_is_missing_or_wrong_is_named(self):
+        self.bad(self.sfw("choose-sites", "--generate"), "--generate")
+        self.bad(self.sfw("choose-sites", "--generate", "flat", "--area", "big"),
+                 "--area must be a number; it is 'big'")
+        self.bad(self.sfw("choose-sites", "--generate", "flat", "--seed", "1.5"),
+                 "--seed must be a whole number; it is '1.5'")
+        self.bad(self.sfw("choose-sites", "--generate", "flat", "--count", "101"),
+                 "--count must be in 1..100; it is '101'")
+        self.bad(self.map("--output", self.folder), "--output", "more than once")
 
-class Place(CommandLine):
-    FLAT = pathlib.Path(__file__).resolve().parent.parent.parent / "config" / "demo" / "flat.yaml"
+    def test_former_names_are_taken_with_a_warning(self):
+        new = self.good(self.sfw("choose-sites", "--generate", "flat"))
+        old = self.good(self.sfw("place", "--generate", "flat"))
+        self.assertEqual(old.stdout, new.stdout)
+        self.assertIn("choose-sites", old.stderr)
+        self.assertEqual(new.stderr, "")
+        run = self.sfw("evaluate", "--controls", "--map", "m", "--truth", "t", "--readings",
+                       self.folder / "none.csv")
+        self.assertIn("--controls is now called --ablations", run.stderr)
+        self.assertIn("none.csv", run.stderr)
+
+
+class Simulate(CommandLine):
+    def test_takes_negative_and_several_positions_in_every_form(self):
+        flat = ["simulate", "--generate", "flat", "--noise", "none", "--output", self.output]
+        away = self.sfw(*flat, "--access-point", "-1.5,2")
+        self.assertEqual(away.returncode, 1)
+        self.assertIn("(-1.50, 2.00)", away.stderr)
+        tables = []
+        for points in (["--access-point", "1.5,2", "--access-point", "3,2"],
+                       ["--access-point=1.5,2", "--access-point=3,2"],
+                       ["--access-point", "1.5,2", "3,2"]):
+            self.good(self.sfw(*flat, *points))
+            tables.append((self.output / "access_points.yaml").read_text())
+        self.assertEqual(tables[0].count("bssid"), 2)
+        self.assertEqual(len(set(tables)), 1)
+
+
+class ChooseSites(CommandLine):
+    FLAT = ROOT / "config" / "demo" / "flat.yaml"
 
     def test_prints_a_table_that_map_reads(self):
-        table = self.good(self.sfw("place", "--plan", self.FLAT, "--count", 3)).stdout
+        table = self.good(self.sfw("choose-sites", "--plan", self.FLAT, "--count", 3)).stdout
         self.assertEqual(table.count("bssid"), 3)
         self.assertEqual(table.count("\n"), 4)
-        self.good(self.map(access_points=self.write("placed.yaml", table)))
-        again = self.sfw("place", "--plan", self.FLAT, "--count", 3, "--parameter").stdout
+        self.good(self.map(access_points=self.write("chosen.yaml", table)))
+        again = self.sfw("choose-sites", "--plan", self.FLAT, "--count", 3, "--parameter").stdout
         self.assertEqual("access_points:\n" + again, table)
-        self.assertNotEqual(self.sfw("place", "--plan", self.FLAT, "--count", 3, "--seed", 2).stdout,
+        self.assertNotEqual(self.sfw("choose-sites", "--plan", self.FLAT, "--count", 3, "--seed", 2).stdout,
                             table)
 
     def test_names_what_it_cannot_use(self):
-        self.bad(self.sfw("place"), "--plan", "--generate")
-        self.bad(self.sfw("place", "--plan", "p.yaml", "--generate", "flat"), "--plan")
-        self.bad(self.sfw("place", "--generate", "castle"), "castle", "flat, office")
-        self.bad(self.sfw("place", "--plan", self.folder / "no.json"), "no.json", "No such file")
-        self.bad(self.sfw("place", "--generate", "flat", "--count", 0), "--count")
+        self.bad(self.sfw("choose-sites"), "--plan", "--generate")
+        self.bad(self.sfw("choose-sites", "--plan", "p.yaml", "--generate", "flat"), "--plan")
+        self.bad(self.sfw("choose-sites", "--generate", "castle"), "castle", "flat, office")
+        self.bad(self.sfw("choose-sites", "--plan", self.folder / "no.json"), "no.json", "No such file")
+        self.bad(self.sfw("choose-sites", "--generate", "flat", "--count", 0), "--count")
 
 
 class GoodInput(CommandLine):

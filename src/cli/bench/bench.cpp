@@ -23,7 +23,7 @@ struct BenchOptions {
   std::optional<std::int64_t> access_points;
   std::vector<std::string> methods;
   std::string config;
-  unsigned workers = std::max(1U, std::thread::hardware_concurrency());
+  std::int64_t workers = std::max(1U, std::thread::hardware_concurrency());
   std::string output;
 };
 
@@ -76,33 +76,30 @@ void run(const BenchOptions& options) {
 
 }  // namespace
 
-void addBenchCommand(CLI::App& sfw) {
-  const auto options = std::make_shared<BenchOptions>();
-  CLI::App* command = sfw.add_subcommand(
-      "bench",
-      "Map many simulated recordings and print the figures beside references and controls. Run "
-      "again after an interruption, it goes on where it stopped.");
-  command->add_option("--suite", options->suite_file,
-                      "YAML with plans, generate, levels, paths, seeds, access_points, methods; "
-                      "the options below go before it");
-  command->add_option("--plan", options->plans, "plan files, or directories of them");
-  command->add_option("--generate", options->generate, "buildings to make up");
-  command->add_option("--noise", options->levels,
-                      "none, low, ideal, realistic, hard; all of them if left out");
-  command->add_option("--path", options->paths,
-                      "walls, sparse or files of way points; walls if left out");
-  command->add_option("--seeds", options->seeds, "seeds 1..N for each; 1 if left out");
-  command->add_option("--access-points", options->access_points, "in each building; 1 if left out");
-  command->add_option("--methods", options->methods, "the mapper's methods; all if left out");
-  command->add_option("--config", options->config, "settings as in config/mapping.yaml");
-  command->add_option("--workers", options->workers, "threads")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
-  command
-      ->add_option("--output", options->output,
-                   "directory for bench.md, bench.json, and the recordings that are done")
-      ->required();
-  command->callback([options] { run(*options); });
+void runBench(Options& options) {
+  BenchOptions bench;
+  options.add(
+      "suite", "FILE", bench.suite_file,
+      "YAML with plans, generate, levels, paths, seeds, access_points, methods; the options "
+      "below override it");
+  options.addList("plan", "FILE", bench.plans, "floor plans, or directories of them");
+  options.add("generate", "N", bench.generate, "number of buildings to generate");
+  options.addList("noise", "LEVEL", bench.levels,
+                  "none, low, ideal, realistic, hard; default: all of them");
+  options.addList("path", "PATH", bench.paths,
+                  "walls, sparse or files of way points; default: walls");
+  options.add("seeds", "N", bench.seeds, "run seeds 1..N for each combination; default: 1");
+  options.add("access-points", "N", bench.access_points,
+              "number of access points in each building; default: 1");
+  options.addList("methods", "METHOD", bench.methods,
+                  "tomography, k_visibility; default: all of them");
+  options.add("config", "FILE", bench.config, "settings as in config/mapping.yaml");
+  options.addInRange("workers", bench.workers, 1, 256, "threads");
+  options.addRequired("output", "DIRECTORY", bench.output,
+                      "directory for bench.md, bench.json and the finished recordings");
+  if (options.parse()) {
+    run(bench);
+  }
 }
 
 }  // namespace sfw

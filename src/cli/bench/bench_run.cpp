@@ -97,9 +97,9 @@ class Bench {
         reasons_(jobs_.size()),
         progress_(jobs_.size()) {}
 
-  BenchReport report(unsigned workers) {
+  BenchReport report(std::int64_t workers) {
     std::vector<std::thread> threads;
-    for (unsigned i = 0; i < workers; ++i) {
+    for (std::int64_t i = 0; i < workers; ++i) {
       threads.emplace_back([this] { work(); });
     }
     for (std::thread& thread : threads) {

@@ -10,9 +10,9 @@ namespace sfw {
 /// How to run a benchmark.
 struct BenchRun {
   BenchSuite suite;
-  std::string config_file;  ///< settings of the mapper; may be empty
-  unsigned workers = 1;     ///< threads
-  std::string directory;    ///< where finished recordings are kept, and looked for
+  std::string config_file;   ///< settings of the mapper; may be empty
+  std::int64_t workers = 1;  ///< threads
+  std::string directory;     ///< where finished recordings are kept, and looked for
 };
 
 /// Runs all recordings of the suite but those that the directory holds already, under the same

@@ -28,7 +28,7 @@ struct EvaluateOptions {
   std::string access_points;
   std::string probability;
   std::vector<std::string> beside;
-  bool controls = false;
+  bool ablations = false;
   bool prediction = false;
   std::string config;
   bool json = false;
@@ -71,11 +71,11 @@ nlohmann::ordered_json toJson(const AblationMetrics& controls) {
 std::optional<AblationMetrics> controlsFor(const EvaluateOptions& options,
                                            const EvaluationInput& input,
                                            const std::vector<Reading>& readings) {
-  if (!options.controls) {
+  if (!options.ablations) {
     return std::nullopt;
   }
   if (options.access_points.empty()) {
-    throw InputError("--controls needs --access-points: it maps the readings again");
+    throw InputError("--ablations needs --access-points: it maps the readings again");
   }
   const Config config = options.config.empty() ? Config() : readConfig(options.config).config;
   return evaluateControls(input, readings, readAccessPoints(options.access_points).access_points,
@@ -140,12 +140,7 @@ void writePictures(const EvaluateOptions& options, const EvaluationInput& input,
   }
 }
 
-void runEvaluate(const EvaluateOptions& options) {
-  if (options.readings.empty()) {
-    throw InputError(
-        "--readings is missing: the figures are about the room that the path of the readings lies "
-        "in");
-  }
+void run(const EvaluateOptions& options) {
   const std::vector<Reading> readings = readWithWarnings(options.readings).readings;
   EvaluationInput input{readMap(options.map), readMap(options.truth), {}, {}, {}};
   readBeside(options.map, options.probability, input);
@@ -174,7 +169,7 @@ void runEvaluate(const EvaluateOptions& options) {
   if (options.json) {
     nlohmann::ordered_json json = toJson(evaluation, beside);
     if (controls) {
-      json["controls"] = toJson(*controls);
+      json["ablations"] = toJson(*controls);
     }
     if (prediction) {
       json["prediction"] = toJson(*prediction);
@@ -195,42 +190,41 @@ void runEvaluate(const EvaluateOptions& options) {
 
 }  // namespace
 
-void addEvaluateCommand(CLI::App& sfw) {
-  auto options = std::make_shared<EvaluateOptions>();
-  CLI::App* command =
-      sfw.add_subcommand("evaluate", "Compares a map with the truth, beside a map without radio");
-  command->add_option("--map", options->map, "Map to judge (map_server yaml)")->required();
-  command->add_option("--truth", options->truth, "True map in the same frame (map_server yaml)")
-      ->required();
-  command->add_option("--readings", options->readings,
-                      "CSV that the map was made from: its path; required");
-  command->add_option("--access-points", options->access_points,
-                      "YAML; adds the figures about observed walls, those that a ray crosses");
-  command->add_option("--probability", options->probability,
-                      "Probabilities of being occupied (map_server yaml, mode scale); default: "
-                      "probability.yaml beside the map, if there is one");
-  command->add_option("--beside", options->beside,
-                      "TITLE=FILE; another map of the place to judge too (map_server yaml); may be "
-                      "repeated");
-  command->add_flag("--controls", options->controls,
-                    "Map again without radio, and with the signals moved along the path by 1/9 .. "
-                    "8/9 of the run; what the map owes to the radio is the distance to these");
-  command->add_flag("--prediction", options->prediction,
-                    "Hide stretches of 3 m of the readings and predict them from the others, by "
-                    "distance alone and with walls; what walls gain is what the radio knows");
-  command->add_option("--config", options->config,
-                      "Settings for --controls, as the map was made with");
-  command->add_option(
-      "--picture", options->picture,
-      "PNG to write: the map laid over the truth, walls found, missed, called free");
-  command->add_option("--panels", options->panels,
-                      "PNG to write: the truth, the maps of --beside, the path alone and the map, "
-                      "side by side");
-  command->add_option("--title", options->title, "of the map among the panels")
-      ->capture_default_str();
-  command->add_flag("--no-legend", options->no_legend, "leave it out below the panels");
-  command->add_flag("--json", options->json, "Print one JSON object instead of a table");
-  command->callback([options] { runEvaluate(*options); });
+void runEvaluate(Options& options) {
+  EvaluateOptions evaluate;
+  options.addRequired("map", "FILE", evaluate.map, "map to score (map_server YAML)");
+  options.addRequired("truth", "FILE", evaluate.truth,
+                      "true map in the same frame (map_server YAML)");
+  options.addRequired("readings", "FILE", evaluate.readings,
+                      "CSV that the map was made from; the metrics cover the room that its path "
+                      "lies in");
+  options.add("access-points", "FILE", evaluate.access_points,
+              "YAML; adds the metrics of observed walls, those that a ray crosses");
+  options.add("probability", "FILE", evaluate.probability,
+              "probabilities of being occupied (map_server YAML, mode scale); default: "
+              "probability.yaml beside the map, if it exists");
+  options.addList("beside", "TITLE=FILE", evaluate.beside,
+                  "another map of the same place to score (map_server YAML)");
+  options.addFlag("ablations", evaluate.ablations,
+                  "also map without radio, and with the signals shifted along the path by 1/9 .. "
+                  "8/9 of the run; the difference to these maps is the radio's contribution");
+  options.addFormerName("controls", "ablations");
+  options.addFlag("prediction", evaluate.prediction,
+                  "hide stretches of 3 m of the readings and predict them from the others, by "
+                  "distance alone and with walls; the gain from walls is the radio's knowledge");
+  options.add("config", "FILE", evaluate.config,
+              "settings for --ablations; give the file that the map was made with");
+  options.add("picture", "FILE", evaluate.picture,
+              "PNG to write: the map over the truth, with walls found, missed and called free");
+  options.add("panels", "FILE", evaluate.panels,
+              "PNG to write: the truth, the maps of --beside, the path alone and the map, side by "
+              "side");
+  options.add("title", "TEXT", evaluate.title, "title of the map among the panels");
+  options.addFlag("no-legend", evaluate.no_legend, "draw no legend below the panels");
+  options.addFlag("json", evaluate.json, "print one JSON object instead of a table");
+  if (options.parse()) {
+    run(evaluate);
+  }
 }
 
 }  // namespace sfw
