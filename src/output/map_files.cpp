@@ -22,7 +22,7 @@
 namespace sfw {
 namespace {
 
-using nlohmann::ordered_json;
+using Json = nlohmann::json;
 
 /// The values that map_server reads as free, occupied and unknown.
 int toPixel(CellState state) {
@@ -53,8 +53,8 @@ std::string mapYaml(const char* image, const GridGeometry& geometry, const char*
                    negate, mode, thresholds);
 }
 
-ordered_json describe(const Config& config) {
-  ordered_json settings;
+Json describe(const Config& config) {
+  Json settings;
   forEachSetting(config, [&](const std::string& name, const auto& value) {
     const std::size_t slash = name.find('/');
     const std::string group = name.substr(0, slash);
@@ -67,11 +67,11 @@ ordered_json describe(const Config& config) {
   return settings;
 }
 
-ordered_json describe(const AccessPointSummary& summary, const AccessPointFit* fit) {
+Json describe(const AccessPointSummary& summary, const AccessPointFit* fit) {
   const AccessPoint& access_point = summary.access_point;
-  ordered_json json{{"bssid", access_point.bssid.str()},
-                    {"name", asUtf8(access_point.name)},
-                    {"readings", summary.readings}};
+  Json json{{"bssid", access_point.bssid.str()},
+            {"name", asUtf8(access_point.name)},
+            {"readings", summary.readings}};
   if (hasPosition(summary)) {
     json["x"] = access_point.position.x();
     json["y"] = access_point.position.y();
@@ -99,23 +99,22 @@ ordered_json describe(const AccessPointSummary& summary, const AccessPointFit* f
   return json;
 }
 
-ordered_json describe(const TomographySummary& tomography) {
+Json describe(const TomographySummary& tomography) {
   using YawSource = TomographySummary::YawSource;
   const char* const source = tomography.yaw_source == YawSource::kHeadings ? "headings"
                              : tomography.yaw_source == YawSource::kSpread ? "spread of the path"
                                                                            : "none";
-  const ordered_json style{{"along_walls", tomography.style.along_walls},
-                           {"patrol", tomography.style.patrol},
-                           {"stroll", tomography.style.stroll}};
+  const Json style{{"along_walls", tomography.style.along_walls},
+                   {"patrol", tomography.style.patrol},
+                   {"stroll", tomography.style.stroll}};
   return {{"building_yaw_rad", tomography.building_yaw_rad},
           {"building_yaw_from", source},
           {"driving_style", style},
           {"signals_explained_by_walls", tomography.explained_variance}};
 }
 
-ordered_json describe(const Rejections& rejections) {
-  ordered_json json{{"by_reason", ordered_json::object()},
-                    {"unknown_access_points", ordered_json::object()}};
+Json describe(const Rejections& rejections) {
+  Json json{{"by_reason", Json::object()}, {"unknown_access_points", Json::object()}};
   for (const auto& [insertion, count] : rejections.count) {
     json["by_reason"][toString(insertion)] = count;
   }
@@ -128,12 +127,12 @@ ordered_json describe(const Rejections& rejections) {
   return json;
 }
 
-ordered_json describe(const DriftFinding& drift) {
+Json describe(const DriftFinding& drift) {
   return {{"ratio", drift.ratio}, {"returns", drift.returns}, {"suspect", drift.suspect}};
 }
 
 /// Area [m2] of the cells in each state.
-ordered_json describe(const BeliefMap& belief) {
+Json describe(const BeliefMap& belief) {
   const GridGeometry& geometry = belief.geometry();
   std::size_t free = 0;
   std::size_t occupied = 0;
@@ -264,10 +263,10 @@ std::string reportJson(const Snapshot& snapshot, const Config& config,
   for (std::size_t i = 1; i < snapshot.path.size(); ++i) {
     length_m += (snapshot.path[i].antenna_in_map - snapshot.path[i - 1].antenna_in_map).norm();
   }
-  ordered_json report;
+  Json report;
   report["version"] = version();
   report["method"] = config.method;
-  report["notes"] = ordered_json::array();
+  report["notes"] = Json::array();
   for (const MapNote& note : mapNotes(snapshot, findings)) {
     report["notes"].push_back(note.text);
   }
@@ -280,7 +279,7 @@ std::string reportJson(const Snapshot& snapshot, const Config& config,
   if (findings.drift) {
     report["drift"] = describe(*findings.drift);
   }
-  report["access_points"] = ordered_json::array();
+  report["access_points"] = Json::array();
   for (std::size_t i = 0; i < snapshot.access_points.size(); ++i) {
     report["access_points"].push_back(describe(snapshot.access_points[i], findings.fit(i)));
   }

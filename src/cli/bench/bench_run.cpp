@@ -21,7 +21,7 @@
 namespace sfw {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 
 FloorPlan planOf(const std::string& name) {
   constexpr char kGenerated[] = "generated ";

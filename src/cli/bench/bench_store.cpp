@@ -88,7 +88,7 @@ std::optional<std::string> BenchStore::find(const std::string& key) const {
 }
 
 void BenchStore::save(const std::string& key, const std::string& result) const {
-  nlohmann::ordered_json stored{{"key", key}, {"result", result}};
+  nlohmann::json stored{{"key", key}, {"result", result}};
   writeAtomically(fileOf(key), stored.dump(1) + "\n");
 }
 

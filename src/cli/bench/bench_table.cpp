@@ -7,7 +7,7 @@
 namespace sfw {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 
 struct Column {
   const char* key;

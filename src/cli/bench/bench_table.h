@@ -11,7 +11,7 @@ namespace sfw {
 /// What one recording of a benchmark came to: a list of {"made_by", "figures"}, one for each map.
 struct BenchResult {
   BenchJob job;
-  nlohmann::ordered_json maps;
+  nlohmann::json maps;
 };
 
 /// A recording that came to nothing, and why.

@@ -38,8 +38,8 @@ struct EvaluateOptions {
   bool no_legend = false;
 };
 
-nlohmann::ordered_json toJson(const Evaluation& evaluation, const std::vector<ScoredMap>& beside) {
-  nlohmann::ordered_json json;
+nlohmann::json toJson(const Evaluation& evaluation, const std::vector<ScoredMap>& beside) {
+  nlohmann::json json;
   json["free_m2"] = evaluation.free_m2;
   json["wall_cells"] = evaluation.wall_cells;
   json["observed_wall_cells"] = nullptr;
@@ -58,9 +58,9 @@ nlohmann::ordered_json toJson(const Evaluation& evaluation, const std::vector<Sc
   return json;
 }
 
-nlohmann::ordered_json toJson(const AblationMetrics& controls) {
-  nlohmann::ordered_json json{{"no_radio", metricsJson(controls.no_radio)},
-                              {"shifted_radio", nlohmann::ordered_json::array()}};
+nlohmann::json toJson(const AblationMetrics& controls) {
+  nlohmann::json json{{"no_radio", metricsJson(controls.no_radio)},
+                      {"shifted_radio", nlohmann::json::array()}};
   for (const MapMetrics& figures : controls.shifted_radio) {
     json["shifted_radio"].push_back(metricsJson(figures));
   }
@@ -82,7 +82,7 @@ std::optional<AblationMetrics> controlsFor(const EvaluateOptions& options,
                           config);
 }
 
-nlohmann::ordered_json toJson(const PredictionMetrics& figures) {
+nlohmann::json toJson(const PredictionMetrics& figures) {
   return {{"bins", figures.bins},
           {"distance_db", figures.distance},
           {"walls_db", figures.walls},
@@ -167,7 +167,7 @@ void run(const EvaluateOptions& options) {
   const std::optional<AblationMetrics> controls = controlsFor(options, input, readings);
   const std::optional<PredictionMetrics> prediction = predictionFor(options, readings);
   if (options.json) {
-    nlohmann::ordered_json json = toJson(evaluation, beside);
+    nlohmann::json json = toJson(evaluation, beside);
     if (controls) {
       json["ablations"] = toJson(*controls);
     }

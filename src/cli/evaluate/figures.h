@@ -58,10 +58,10 @@ void forEachMetric(const MapMetrics& m, Visitor&& visit) {
         within(m.radio, &RadioFigures::wall_f1_four_cells));
 }
 
-inline nlohmann::ordered_json metricsJson(const MapMetrics& figures) {
-  nlohmann::ordered_json json;
+inline nlohmann::json metricsJson(const MapMetrics& figures) {
+  nlohmann::json json;
   forEachMetric(figures, [&](const char* key, const char*, std::optional<double> value) {
-    json[key] = value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+    json[key] = value ? nlohmann::json(*value) : nlohmann::json();
   });
   return json;
 }
