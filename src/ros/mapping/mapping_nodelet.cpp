@@ -73,7 +73,7 @@ void MappingNodelet::advertise() {
 
 void MappingNodelet::subscribe() {
   ros::NodeHandle& node = getNodeHandle();
-  transform_listener_.emplace(*transforms_, node);
+  transform_listener_ = std::make_unique<tf2_ros::TransformListener>(*transforms_, node);
   constexpr std::uint32_t kQueue = 1000;
   subscribers_.push_back(node.subscribe("wifi_scan", kQueue, &MappingNodelet::receiveScan, this));
   subscribers_.push_back(

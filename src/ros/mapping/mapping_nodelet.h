@@ -103,7 +103,7 @@ class MappingNodelet : public nodelet::Nodelet {
   std::optional<MapPublishers> publishers_;
 
   std::optional<tf2_ros::Buffer> transforms_;
-  std::optional<tf2_ros::TransformListener> transform_listener_;
+  std::unique_ptr<tf2_ros::TransformListener> transform_listener_;
   std::vector<ros::Subscriber> subscribers_;
 
   ros::CallbackQueue quick_calls_, slow_calls_;  // outlive the servers that use them

@@ -41,7 +41,7 @@ Mask floorOf(const Grid<CellState>& states) {
   Mask walls(states.geometry);
   for (std::size_t i = 0; i < free.cells.size(); ++i) {
     free.cells[i] = states.cells[i] == CellState::kFree ? 1 : 0;
-    walls.cells[i] = 1 - free.cells[i];
+    walls.cells[i] = free.cells[i] == 0 ? 1 : 0;
   }
   const Grid<double> depth = distanceTransform(walls);
   const Components parts = labelComponents(free);
