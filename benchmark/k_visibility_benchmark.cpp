@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/random.h"
+#include "grid/for_each_cell.h"
 #include "k_visibility/k_visibility.h"
 #include "simulation/building/floor_plan_io.h"
 #include "simulation/building/plan_generator.h"
@@ -41,25 +42,19 @@ Grid<CellState> tiledOffice(std::int64_t side) {
   config.area = 300.0;
   const Grid<CellState> tile = toStates(generatePlan(config).plan);
   Grid<CellState> plan(GridGeometry(config.resolution, Position::Zero(), side, side));
-  Cell c;
-  for (c.y = 0; c.y < side; ++c.y) {
-    for (c.x = 0; c.x < side; ++c.x) {
-      plan[c] = tile[{c.x % tile.geometry.width(), c.y % tile.geometry.height()}];
-    }
-  }
+  forEachCell(plan.geometry, [&](Cell c) {
+    plan[c] = tile[{c.x % tile.geometry.width(), c.y % tile.geometry.height()}];
+  });
   return plan;
 }
 
 std::vector<Position> freeCentres(const Grid<CellState>& plan) {
   std::vector<Position> centres;
-  Cell c;
-  for (c.y = 0; c.y < plan.geometry.height(); ++c.y) {
-    for (c.x = 0; c.x < plan.geometry.width(); ++c.x) {
-      if (plan[c] == CellState::kFree) {
-        centres.push_back(plan.geometry.centre(c));
-      }
+  forEachCell(plan.geometry, [&](Cell c) {
+    if (plan[c] == CellState::kFree) {
+      centres.push_back(plan.geometry.centre(c));
     }
-  }
+  });
   return centres;
 }
 

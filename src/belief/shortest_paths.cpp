@@ -2,12 +2,10 @@
 
 #include <cmath>
 #include <cstdint>
-#include <functional>
-#include <queue>
-#include <utility>
-#include <vector>
+#include <optional>
 
 #include "belief/cell_features.h"
+#include "grid/dijkstra.h"
 
 namespace sfw {
 
@@ -17,38 +15,33 @@ ShortestPaths shortestPathsFrom(const Mask& path, const Grid<double>& distance,
   const double resolution = geometry.resolution();
   constexpr float kFar = 1e6F;
   ShortestPaths ways{Grid<float>(geometry, kFar), Grid<std::size_t>(geometry)};
-  using Entry = std::pair<float, std::size_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  Dijkstra<float> search(ways.cost);
   for (std::size_t i = 0; i < path.cells.size(); ++i) {
     if (path.cells[i] != 0) {
-      ways.cost.cells[i] = 0.0F;
+      search.lower(geometry.cell(i), 0.0F);
       ways.source.cells[i] = i;
-      open.emplace(0.0F, i);
     }
   }
-  const auto visit = [&](float so_far, std::size_t at, Cell next, double length) {
+  const auto visit = [&](Cell at, Cell next, double length) {
     if (!geometry.contains(next) || distance[next] * resolution > kMaxDistanceToPath) {
       return;
     }
-    const float cost = so_far + static_cast<float>(length) * (1.0F + 2.0F * strength[next]);
-    if (cost < ways.cost[next]) {
-      ways.cost[next] = cost;
-      ways.source[next] = ways.source.cells[at];
-      open.emplace(cost, geometry.index(next));
+    const float step = static_cast<float>(length) * (1.0F + 2.0F * strength[next]);
+    if (search.lower(next, ways.cost[at] + step)) {
+      ways.source[next] = ways.source[at];
     }
   };
-  while (!open.empty() && !stop) {
-    const auto [so_far, at] = open.top();
-    open.pop();
-    if (so_far > ways.cost.cells[at]) {
-      continue;
+  while (!stop) {
+    const std::optional<Cell> settled = search.settle();
+    if (!settled) {
+      break;
     }
-    const Cell c = geometry.cell(at);
+    const Cell c = *settled;
     for (const std::int64_t step : {-1, 1}) {
-      visit(so_far, at, {c.x + step, c.y}, resolution);
-      visit(so_far, at, {c.x, c.y + step}, resolution);
-      visit(so_far, at, {c.x + step, c.y + step}, std::sqrt(2.0) * resolution);
-      visit(so_far, at, {c.x + step, c.y - step}, std::sqrt(2.0) * resolution);
+      visit(c, {c.x + step, c.y}, resolution);
+      visit(c, {c.x, c.y + step}, resolution);
+      visit(c, {c.x + step, c.y + step}, std::sqrt(2.0) * resolution);
+      visit(c, {c.x + step, c.y - step}, std::sqrt(2.0) * resolution);
     }
   }
   return ways;

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "grid/for_each_cell.h"
 #include "structure_from_wifi/mapper.h"
 
 namespace sfw {
@@ -54,13 +55,10 @@ void setBelief(const BeliefMap& belief, EvaluationInput& input) {
   input.map = Grid<CellState>(geometry);
   input.probabilities = Grid<float>(geometry);
   input.wall_loss.reset();
-  Cell c;
-  for (c.y = 0; c.y < geometry.height(); ++c.y) {
-    for (c.x = 0; c.x < geometry.width(); ++c.x) {
-      input.map[c] = belief.state(c);
-      (*input.probabilities)[c] = belief.occupied(c);
-    }
-  }
+  forEachCell(geometry, [&](Cell c) {
+    input.map[c] = belief.state(c);
+    (*input.probabilities)[c] = belief.occupied(c);
+  });
 }
 
 void setMap(const Snapshot& snapshot, EvaluationInput& input) {

@@ -2,6 +2,7 @@
 
 #include "files/canvas.h"
 #include "grid/distance_transform.h"
+#include "grid/for_each_cell.h"
 #include "structure_from_wifi/input_error.h"
 
 namespace sfw {
@@ -30,13 +31,10 @@ constexpr Colour kTrueWall{0.93, 0.55, 0.50};
 /// The map's states on the truth's cells.
 Grid<CellState> onCellsOf(const GridGeometry& geometry, const Grid<CellState>& map) {
   Grid<CellState> states(geometry);
-  Cell c;
-  for (c.y = 0; c.y < geometry.height(); ++c.y) {
-    for (c.x = 0; c.x < geometry.width(); ++c.x) {
-      const Cell in_map = map.geometry.cellAt(geometry.centre(c));
-      states[c] = map.geometry.contains(in_map) ? map[in_map] : CellState::kUnknown;
-    }
-  }
+  forEachCell(geometry, [&](Cell c) {
+    const Cell in_map = map.geometry.cellAt(geometry.centre(c));
+    states[c] = map.geometry.contains(in_map) ? map[in_map] : CellState::kUnknown;
+  });
   return states;
 }
 
@@ -84,14 +82,11 @@ class Comparison {
 Box shownArea(const EvaluationInput& input) {
   const GridGeometry& geometry = input.truth.geometry;
   Box area;
-  Cell c;
-  for (c.y = 0; c.y < geometry.height(); ++c.y) {
-    for (c.x = 0; c.x < geometry.width(); ++c.x) {
-      if (input.truth[c] != CellState::kUnknown) {
-        area.extend(geometry.centre(c));
-      }
+  forEachCell(geometry, [&](Cell c) {
+    if (input.truth[c] != CellState::kUnknown) {
+      area.extend(geometry.centre(c));
     }
-  }
+  });
   if (area.isEmpty()) {
     throw InputError("the truth has no known cell");
   }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "evaluation/evaluation.h"
+#include "grid/for_each_cell.h"
 #include "grid/mask.h"
 
 namespace sfw {
@@ -38,17 +39,14 @@ Mask cellsOfState(const Grid<CellState>& grid, CellState state);
 template <class T>
 Grid<T> sampled(const Grid<T>& grid, const GridGeometry& lattice, const T& elsewhere) {
   Grid<T> samples(lattice, elsewhere);
-  Cell c;
-  for (c.y = 0; c.y < lattice.height(); ++c.y) {
-    for (c.x = 0; c.x < lattice.width(); ++c.x) {
-      // Compared in floating point: a grid may lie so far away that no cell can be counted.
-      const Position at = grid.geometry.toCells(lattice.centre(c));
-      if (at.x() >= 0.0 && at.y() >= 0.0 && at.x() < static_cast<double>(grid.geometry.width()) &&
-          at.y() < static_cast<double>(grid.geometry.height())) {
-        samples[c] = grid[{static_cast<std::int64_t>(at.x()), static_cast<std::int64_t>(at.y())}];
-      }
+  forEachCell(lattice, [&](Cell c) {
+    // Compared in floating point: a grid may lie so far away that no cell can be counted.
+    const Position at = grid.geometry.toCells(lattice.centre(c));
+    if (at.x() >= 0.0 && at.y() >= 0.0 && at.x() < static_cast<double>(grid.geometry.width()) &&
+        at.y() < static_cast<double>(grid.geometry.height())) {
+      samples[c] = grid[{static_cast<std::int64_t>(at.x()), static_cast<std::int64_t>(at.y())}];
     }
-  }
+  });
   return samples;
 }
 

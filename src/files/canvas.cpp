@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/constants.h"
+
 namespace sfw {
 namespace {
 
@@ -102,14 +104,14 @@ void Canvas::addCell(const GridGeometry& geometry, Cell cell) {
 void Canvas::drawDot(const Position& at, const Colour& colour) {
   const Position centre = toPixels(at);
   setColour(colour);
-  cairo_arc(context_.get(), centre.x(), centre.y(), one_row_ ? 2.0 : 2.5, 0.0, 2.0 * M_PI);
+  cairo_arc(context_.get(), centre.x(), centre.y(), one_row_ ? 2.0 : 2.5, 0.0, 2.0 * kPi);
   cairo_fill(context_.get());
 }
 
 void Canvas::drawAccessPoint(const Position& at, const std::string& name) {
   const Position centre = toPixels(at);
   setColour(kAccessPoint);
-  cairo_arc(context_.get(), centre.x(), centre.y(), 7.0, 0.0, 2.0 * M_PI);
+  cairo_arc(context_.get(), centre.x(), centre.y(), 7.0, 0.0, 2.0 * kPi);
   cairo_fill_preserve(context_.get());
   setColour(kFree);
   cairo_set_line_width(context_.get(), 2.0);
@@ -159,7 +161,7 @@ void Canvas::drawLegend(const std::vector<LegendEntry>& legend, double first_row
     }
     setColour(entry.colour);
     if (entry.is_dot) {
-      cairo_arc(context_.get(), x + kBox / 2, top + kBox / 2, kBox / 2, 0.0, 2.0 * M_PI);
+      cairo_arc(context_.get(), x + kBox / 2, top + kBox / 2, kBox / 2, 0.0, 2.0 * kPi);
     } else {
       cairo_rectangle(context_.get(), x, top, kBox, kBox);
     }

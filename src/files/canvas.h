@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "files/colour.h"
+#include "grid/for_each_cell.h"
 #include "structure_from_wifi/grid_geometry.h"
 
 namespace sfw {
@@ -88,14 +89,11 @@ template <class Chosen>
 void Canvas::fillCells(const GridGeometry& geometry, const Colour& colour, Chosen&& chosen) {
   cairo_set_antialias(context_.get(), CAIRO_ANTIALIAS_NONE);  // no seams between cells
   setColour(colour);
-  Cell c;
-  for (c.y = 0; c.y < geometry.height(); ++c.y) {
-    for (c.x = 0; c.x < geometry.width(); ++c.x) {
-      if (chosen(c)) {
-        addCell(geometry, c);
-      }
+  forEachCell(geometry, [&](Cell c) {
+    if (chosen(c)) {
+      addCell(geometry, c);
     }
-  }
+  });
   cairo_fill(context_.get());
   cairo_set_antialias(context_.get(), CAIRO_ANTIALIAS_DEFAULT);
 }

@@ -7,6 +7,7 @@
 
 #include "files/pgm.h"
 #include "files/text.h"
+#include "grid/for_each_cell.h"
 #include "structure_from_wifi/input_error.h"
 
 namespace sfw {
@@ -78,12 +79,7 @@ template <class T, class Convert>
 Grid<T> converted(const std::string& yaml_file, Convert&& convert) {
   const MapFile file = readMapFile(yaml_file);
   Grid<T> grid(file.geometry);
-  Cell c;
-  for (c.y = 0; c.y < file.geometry.height(); ++c.y) {
-    for (c.x = 0; c.x < file.geometry.width(); ++c.x) {
-      grid[c] = convert(file, c);
-    }
-  }
+  forEachCell(file.geometry, [&](Cell c) { grid[c] = convert(file, c); });
   return grid;
 }
 

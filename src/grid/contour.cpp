@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "grid/for_each_cell.h"
+
 namespace sfw {
 namespace {
 
@@ -61,16 +63,13 @@ class BorderWalk {
 std::vector<std::vector<Cell>> contours(const Mask& mask) {
   BorderWalk border(mask);
   std::vector<std::vector<Cell>> found;
-  Cell c;
-  for (c.y = 0; c.y < mask.geometry.height(); ++c.y) {
-    for (c.x = 0; c.x < mask.geometry.width(); ++c.x) {
-      for (unsigned heading = 0; heading < kHeadings.size(); ++heading) {
-        if (border.starts(c, heading)) {
-          found.push_back(border.walk(c, heading));
-        }
+  forEachCell(mask.geometry, [&](Cell c) {
+    for (unsigned heading = 0; heading < kHeadings.size(); ++heading) {
+      if (border.starts(c, heading)) {
+        found.push_back(border.walk(c, heading));
       }
     }
-  }
+  });
   return found;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "grid/distance_transform.h"
+#include "grid/for_each_cell.h"
 
 namespace sfw {
 namespace {
@@ -15,11 +16,7 @@ Mask padded(const Mask& mask, std::int64_t margin) {
   const double shift = inner.resolution() * static_cast<double>(margin);
   Mask outer(GridGeometry(inner.resolution(), inner.origin() - Position(shift, shift),
                           inner.width() + 2 * margin, inner.height() + 2 * margin));
-  for (std::int64_t y = 0; y < inner.height(); ++y) {
-    for (std::int64_t x = 0; x < inner.width(); ++x) {
-      outer[{x + margin, y + margin}] = mask[{x, y}];
-    }
-  }
+  forEachCell(inner, [&](Cell c) { outer[{c.x + margin, c.y + margin}] = mask[c]; });
   return outer;
 }
 
@@ -85,11 +82,9 @@ Mask closed(const Mask& mask, double radius_cells) {
   const Mask wide = dilated(padded(mask, margin), radius_cells);
   const Grid<double> depth = distanceTransform(complement(wide));
   Mask result(mask.geometry);
-  for (std::int64_t y = 0; y < mask.geometry.height(); ++y) {
-    for (std::int64_t x = 0; x < mask.geometry.width(); ++x) {
-      result[{x, y}] = depth[{x + margin, y + margin}] > radius_cells ? 1 : 0;
-    }
-  }
+  forEachCell(mask.geometry, [&](Cell c) {
+    result[c] = depth[{c.x + margin, c.y + margin}] > radius_cells ? 1 : 0;
+  });
   return result;
 }
 
@@ -106,14 +101,11 @@ Mask withHolesFilled(const Mask& mask) {
 
 Components labelComponents(const Mask& mask) {
   Components components{Grid<std::int64_t>(mask.geometry, 0), 0};
-  Cell c;
-  for (c.y = 0; c.y < mask.geometry.height(); ++c.y) {
-    for (c.x = 0; c.x < mask.geometry.width(); ++c.x) {
-      if (mask[c] != 0 && components.label[c] == 0) {
-        flood(mask, c, ++components.count, components.label);
-      }
+  forEachCell(mask.geometry, [&](Cell c) {
+    if (mask[c] != 0 && components.label[c] == 0) {
+      flood(mask, c, ++components.count, components.label);
     }
-  }
+  });
   return components;
 }
 

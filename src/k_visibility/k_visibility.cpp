@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "grid/for_each_cell.h"
 #include "grid/ray.h"
 #include "k_visibility/cone_sweep.h"
 #include "structure_from_wifi/input_error.h"
@@ -45,14 +46,11 @@ void followRay(const Grid<std::uint8_t>& k_map, const Ray& ray, bool walls_are_m
 }
 
 bool bordersNoCount(const Grid<std::uint8_t>& k_map, Cell cell) {
-  for (Cell c{0, cell.y - 1}; c.y <= cell.y + 1; ++c.y) {
-    for (c.x = cell.x - 1; c.x <= cell.x + 1; ++c.x) {
-      if (k_map.geometry.contains(c) && !isCounted(k_map[c])) {
-        return true;
-      }
-    }
-  }
-  return false;
+  bool borders = false;
+  forEachCell(Cell{cell.x - 1, cell.y - 1}, Cell{cell.x + 1, cell.y + 1}, [&](Cell c) {
+    borders = borders || (k_map.geometry.contains(c) && !isCounted(k_map[c]));
+  });
+  return borders;
 }
 
 }  // namespace
@@ -106,14 +104,11 @@ Grid<CellState> denseInverseKVisibility(const Grid<std::uint8_t>& k_map,
     follow(width - 0.5, y);
   }
   // ... and those that the counts beside walls stand for.
-  Cell c;
-  for (c.y = 0; c.y < geometry.height(); ++c.y) {
-    for (c.x = 0; c.x < geometry.width(); ++c.x) {
-      if (isCounted(k_map[c]) && bordersNoCount(k_map, c)) {
-        follow(static_cast<double>(c.x) + 0.5, static_cast<double>(c.y) + 0.5);
-      }
+  forEachCell(geometry, [&](Cell c) {
+    if (isCounted(k_map[c]) && bordersNoCount(k_map, c)) {
+      follow(static_cast<double>(c.x) + 0.5, static_cast<double>(c.y) + 0.5);
     }
-  }
+  });
   return plan;
 }
 

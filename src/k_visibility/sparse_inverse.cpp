@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/log_odds.h"
+#include "grid/for_each_cell.h"
 #include "grid/ray.h"
 #include "grid/robot_evidence.h"
 
@@ -137,17 +138,12 @@ void freeFootprints(const std::vector<Position>& path, const SparseInverseConfig
   const Position reach(radius, radius);
   for (const Position& pose : path) {
     const Cell own = geometry.cellAt(pose);
-    const Cell low = geometry.cellAt(pose - reach);
-    const Cell high = geometry.cellAt(pose + reach);
-    Cell c;
-    for (c.y = low.y; c.y <= high.y; ++c.y) {
-      for (c.x = low.x; c.x <= high.x; ++c.x) {
-        const bool covered = c == own || (geometry.centre(c) - pose).norm() <= radius;
-        if (covered && geometry.contains(c)) {
-          occupied[c] = kFootprintOccupancy;
-        }
+    forEachCell(geometry.cellAt(pose - reach), geometry.cellAt(pose + reach), [&](Cell c) {
+      const bool covered = c == own || (geometry.centre(c) - pose).norm() <= radius;
+      if (covered && geometry.contains(c)) {
+        occupied[c] = kFootprintOccupancy;
       }
-    }
+    });
   }
 }
 

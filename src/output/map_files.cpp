@@ -14,6 +14,7 @@
 #include "files/atomic_file.h"
 #include "files/pgm.h"
 #include "files/text.h"
+#include "grid/for_each_cell.h"
 #include "output/map_picture.h"
 #include "structure_from_wifi/map_notes.h"
 #include "structure_from_wifi/octomap_export.h"
@@ -136,14 +137,11 @@ Json describe(const BeliefMap& belief) {
   const GridGeometry& geometry = belief.geometry();
   std::size_t free = 0;
   std::size_t occupied = 0;
-  Cell c;
-  for (c.y = 0; c.y < geometry.height(); ++c.y) {
-    for (c.x = 0; c.x < geometry.width(); ++c.x) {
-      const CellState state = belief.state(c);
-      free += state == CellState::kFree ? 1 : 0;
-      occupied += state == CellState::kOccupied ? 1 : 0;
-    }
-  }
+  forEachCell(geometry, [&](Cell c) {
+    const CellState state = belief.state(c);
+    free += state == CellState::kFree ? 1 : 0;
+    occupied += state == CellState::kOccupied ? 1 : 0;
+  });
   const double area = geometry.resolution() * geometry.resolution();
   return {{"width", geometry.width()},
           {"height", geometry.height()},

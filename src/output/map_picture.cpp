@@ -5,6 +5,7 @@
 
 #include "files/canvas.h"
 #include "files/text.h"
+#include "grid/for_each_cell.h"
 
 namespace sfw {
 namespace {
@@ -21,14 +22,11 @@ Box shownArea(const Snapshot& snapshot) {
       area.extend(summary.access_point.position);
     }
   }
-  Cell c;
-  for (c.y = 0; c.y < geometry.height(); ++c.y) {
-    for (c.x = 0; c.x < geometry.width(); ++c.x) {
-      if (snapshot.belief.state(c) != CellState::kUnknown) {
-        area.extend(geometry.centre(c));
-      }
+  forEachCell(geometry, [&](Cell c) {
+    if (snapshot.belief.state(c) != CellState::kUnknown) {
+      area.extend(geometry.centre(c));
     }
-  }
+  });
   constexpr double kAir = 0.5;  // [m]
   return {area.min().array() - kAir, area.max().array() + kAir};
 }

@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "grid/for_each_cell.h"
+
 namespace sfw {
 namespace {
 
@@ -71,18 +73,15 @@ class Blocks {
     Grid<Block> blocks(GridGeometry(1.0, Position::Zero(),
                                     ((first_.x + finest.width() - 1) >> level) - x + 1,
                                     ((first_.y + finest.height() - 1) >> level) - y + 1));
-    Cell c;
-    for (c.y = 0; c.y < blocks.geometry.height(); ++c.y) {
-      for (c.x = 0; c.x < blocks.geometry.width(); ++c.x) {
-        const std::int64_t left = 2 * (x + c.x);
-        const std::int64_t low = 2 * (y + c.y);
-        Block block = at(level - 1, left, low);
-        block.join(at(level - 1, left + 1, low));
-        block.join(at(level - 1, left, low + 1));
-        block.join(at(level - 1, left + 1, low + 1));
-        blocks[c] = block;
-      }
-    }
+    forEachCell(blocks.geometry, [&](Cell c) {
+      const std::int64_t left = 2 * (x + c.x);
+      const std::int64_t low = 2 * (y + c.y);
+      Block block = at(level - 1, left, low);
+      block.join(at(level - 1, left + 1, low));
+      block.join(at(level - 1, left, low + 1));
+      block.join(at(level - 1, left + 1, low + 1));
+      blocks[c] = block;
+    });
     return blocks;
   }
 

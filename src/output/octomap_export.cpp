@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "grid/for_each_cell.h"
 #include "output/octomap_columns.h"
 
 namespace sfw {
@@ -52,23 +53,19 @@ std::unique_ptr<octomap::OcTree> toOctomap(const BeliefMap& belief, const Config
         "octomap/wall_height and octomap/robot_height must be at most 32768 cells");
   }
   Grid<Column> columns(geometry);
-  Cell c;
-  for (c.y = 0; c.y < geometry.height(); ++c.y) {
-    for (c.x = 0; c.x < geometry.width(); ++c.x) {
-      const CellState state = belief.state(c);
-      if (state == CellState::kUnknown) {
-        continue;
-      }
-      // OctoMap knows no thresholds: its voxels are occupied from a half on, ours by their state.
-      constexpr float kLeast = 1.0F / 16.0F;  // a step of BeliefMap
-      const float believed =
-          std::clamp(octomap::logodds(belief.occupied(c)), octomap::logodds(kLeastCertain),
-                     octomap::logodds(1.0 - kLeastCertain));
-      columns[c] = state == CellState::kOccupied
-                       ? Column{wall_layers, std::max(believed, kLeast)}
-                       : Column{robot_layers, std::min(believed, -kLeast)};
+  forEachCell(geometry, [&](Cell c) {
+    const CellState state = belief.state(c);
+    if (state == CellState::kUnknown) {
+      return;
     }
-  }
+    // OctoMap knows no thresholds: its voxels are occupied from a half on, ours by their state.
+    constexpr float kLeast = 1.0F / 16.0F;  // a step of BeliefMap
+    const float believed =
+        std::clamp(octomap::logodds(belief.occupied(c)), octomap::logodds(kLeastCertain),
+                   octomap::logodds(1.0 - kLeastCertain));
+    columns[c] = state == CellState::kOccupied ? Column{wall_layers, std::max(believed, kLeast)}
+                                               : Column{robot_layers, std::min(believed, -kLeast)};
+  });
   auto tree = treeOfColumns(columns, latticeCell(geometry));
   // OctoMap's own limits would round our certain cells towards doubt.
   tree->setClampingThresMin(kLeastCertain);

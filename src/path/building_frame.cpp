@@ -5,10 +5,10 @@
 #include <complex>
 #include <optional>
 
+#include "base/constants.h"
+
 namespace sfw {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// Long enough that the jitter of a pose does not turn it.
 constexpr double kPiece = 0.4;  // [m]

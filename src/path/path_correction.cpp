@@ -4,10 +4,10 @@
 #include <cmath>
 #include <tuple>
 
+#include "base/constants.h"
+
 namespace sfw {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// The most that odometry is taken to drift, for a metre driven: that of poor wheels on carpet.
 constexpr double kMostDrift = 0.1;  // [m/m]

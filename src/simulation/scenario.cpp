@@ -6,6 +6,7 @@
 
 #include "base/random.h"
 #include "grid/distance_transform.h"
+#include "grid/for_each_cell.h"
 #include "simulation/robot/route_planner.h"
 #include "structure_from_wifi/input_error.h"
 #include "structure_from_wifi/readings_io.h"
@@ -24,14 +25,11 @@ std::vector<Position> roomyPlaces(const FloorPlan& plan, double distance_m) {
   }
   const Grid<double> cells_away = distanceTransform(obstacles);
   std::vector<Position> places;
-  Cell c;
-  for (c.y = 0; c.y < geometry.height(); ++c.y) {
-    for (c.x = 0; c.x < geometry.width(); ++c.x) {
-      if (cells_away[c] * geometry.resolution() >= distance_m) {
-        places.push_back(geometry.centre(c));
-      }
+  forEachCell(geometry, [&](Cell c) {
+    if (cells_away[c] * geometry.resolution() >= distance_m) {
+      places.push_back(geometry.centre(c));
     }
-  }
+  });
   return places;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "grid/for_each_cell.h"
 #include "tomography/line_rays.h"
 
 namespace sfw {
@@ -167,12 +168,8 @@ class Solver {
       const std::int64_t reach_x = direction.across_x ? kReweightAcross : kReweightAlong;
       const std::int64_t reach_y = direction.across_x ? kReweightAlong : kReweightAcross;
       float sum = 0.0F;
-      Cell at;
-      for (at.y = c.y - reach_y; at.y <= c.y + reach_y; ++at.y) {
-        for (at.x = c.x - reach_x; at.x <= c.x + reach_x; ++at.x) {
-          sum += loss.geometry.contains(at) ? loss[at] : 0.0F;
-        }
-      }
+      forEachCell({c.x - reach_x, c.y - reach_y}, {c.x + reach_x, c.y + reach_y},
+                  [&](Cell at) { sum += loss.geometry.contains(at) ? loss[at] : 0.0F; });
       constexpr auto kCells =
           static_cast<float>((2 * kReweightAlong + 1) * (2 * kReweightAcross + 1));
       weight_[i] =

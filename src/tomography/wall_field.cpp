@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/constants.h"
 #include "base/random.h"
 #include "base/random_streams.h"
 #include "grid/distance_transform.h"
@@ -34,7 +35,7 @@ std::vector<LineLattice> latticesOf(int member, const GridGeometry& geometry,
   const Position offset(vanDerCorput(member, 2) * resolution, vanDerCorput(member, 3) * resolution);
   std::vector<LineLattice> lattices;
   for (int i = 0; i < config.directions / 2; ++i) {
-    LineLattice lattice{geometry, i * M_PI / config.directions};
+    LineLattice lattice{geometry, i * kPi / config.directions};
     Box box;
     for (const auto corner : {Box::BottomLeft, Box::BottomRight, Box::TopLeft, Box::TopRight}) {
       box.extend(lattice.toLattice(geometry.box().corner(corner)));

@@ -3,22 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/constants.h"
 #include "grid/distance_transform.h"
+#include "grid/for_each_cell.h"
 
 namespace sfw {
 namespace {
 
-constexpr double kTurn = 6.28318530717958647693;
-
-template <class Visitor>
-void forEachCell(const GridGeometry& geometry, Visitor&& visit) {
-  Cell c;
-  for (c.y = 0; c.y < geometry.height(); ++c.y) {
-    for (c.x = 0; c.x < geometry.width(); ++c.x) {
-      visit(c);
-    }
-  }
-}
+constexpr double kTurn = 2.0 * kPi;
 
 /// Distances to the nearest cell that is not free [m].
 class Clearance {

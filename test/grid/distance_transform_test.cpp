@@ -7,6 +7,7 @@
 #include <limits>
 #include <random>
 
+#include "grid/for_each_cell.h"
 #include "support/ascii_world.h"
 
 namespace sfw {
@@ -17,26 +18,20 @@ using test::mask;
 
 double nearestByHand(const Mask& set, Cell from) {
   double nearest = std::numeric_limits<double>::infinity();
-  Cell c;
-  for (c.y = 0; c.y < set.geometry.height(); ++c.y) {
-    for (c.x = 0; c.x < set.geometry.width(); ++c.x) {
-      if (set[c] != 0) {
-        const auto squared = (c.x - from.x) * (c.x - from.x) + (c.y - from.y) * (c.y - from.y);
-        nearest = std::min(nearest, std::sqrt(static_cast<double>(squared)));
-      }
+  forEachCell(set.geometry, [&](Cell c) {
+    if (set[c] != 0) {
+      const auto squared = (c.x - from.x) * (c.x - from.x) + (c.y - from.y) * (c.y - from.y);
+      nearest = std::min(nearest, std::sqrt(static_cast<double>(squared)));
     }
-  }
+  });
   return nearest;
 }
 
 void expectExact(const Mask& set) {
   const Grid<double> distance = distanceTransform(set);
-  Cell c;
-  for (c.y = 0; c.y < set.geometry.height(); ++c.y) {
-    for (c.x = 0; c.x < set.geometry.width(); ++c.x) {
-      ASSERT_EQ(distance[c], nearestByHand(set, c)) << "cell " << c.x << ", " << c.y;
-    }
-  }
+  forEachCell(set.geometry, [&](Cell c) {
+    ASSERT_EQ(distance[c], nearestByHand(set, c)) << "cell " << c.x << ", " << c.y;
+  });
 }
 
 TEST(DistanceTransform, CountsCellsFromOneCell) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "evaluation/evaluation.h"
+#include "grid/for_each_cell.h"
 #include "simulation/building/wall_crossings.h"
 #include "simulation/robot/route.h"
 #include "structure_from_wifi/mapper.h"
@@ -110,12 +111,7 @@ std::shared_ptr<const Snapshot> mapOf(Move&& move, double wall_loss_db = 10.0) {
 
 Grid<CellState> statesOf(const BeliefMap& belief) {
   Grid<CellState> states(belief.geometry());
-  Cell c;
-  for (c.y = 0; c.y < belief.geometry().height(); ++c.y) {
-    for (c.x = 0; c.x < belief.geometry().width(); ++c.x) {
-      states[c] = belief.state(c);
-    }
-  }
+  forEachCell(belief.geometry(), [&](Cell c) { states[c] = belief.state(c); });
   return states;
 }
 
@@ -179,17 +175,14 @@ double differingShare(Move&& move) {
   const GridGeometry& geometry = snapshot->belief.geometry();
   std::size_t known = 0;
   std::size_t different = 0;
-  Cell c;
-  for (c.y = 0; c.y < geometry.height(); ++c.y) {
-    for (c.x = 0; c.x < geometry.width(); ++c.x) {
-      const CellState here = snapshot->belief.state(c);
-      const Cell there = moved->belief.geometry().cellAt(move(geometry.centre(c)));
-      const CellState moved_state = moved->belief.state(there);
-      const bool either = here != CellState::kUnknown || moved_state != CellState::kUnknown;
-      known += either ? 1 : 0;
-      different += here != moved_state ? 1 : 0;
-    }
-  }
+  forEachCell(geometry, [&](Cell c) {
+    const CellState here = snapshot->belief.state(c);
+    const Cell there = moved->belief.geometry().cellAt(move(geometry.centre(c)));
+    const CellState moved_state = moved->belief.state(there);
+    const bool either = here != CellState::kUnknown || moved_state != CellState::kUnknown;
+    known += either ? 1 : 0;
+    different += here != moved_state ? 1 : 0;
+  });
   EXPECT_GT(known, 1000U);
   return static_cast<double>(different) / static_cast<double>(known);
 }

@@ -7,6 +7,7 @@
 #include <memory>
 #include <sstream>
 
+#include "grid/for_each_cell.h"
 #include "support/ascii_world.h"
 
 namespace sfw {
@@ -42,16 +43,13 @@ std::unique_ptr<octomap::OcTree> readFullFile(const BeliefMap& belief,
 /// The tree's layer at a height as a picture of the map's extent.
 Rows layer(const octomap::OcTree& tree, const GridGeometry& geometry, double z) {
   Grid<CellState> states(geometry);
-  Cell c;
-  for (c.y = 0; c.y < geometry.height(); ++c.y) {
-    for (c.x = 0; c.x < geometry.width(); ++c.x) {
-      const Position centre = geometry.centre(c);
-      const octomap::OcTreeNode* const node = tree.search(centre.x(), centre.y(), z);
-      if (node != nullptr) {
-        states[c] = tree.isNodeOccupied(node) ? CellState::kOccupied : CellState::kFree;
-      }
+  forEachCell(geometry, [&](Cell c) {
+    const Position centre = geometry.centre(c);
+    const octomap::OcTreeNode* const node = tree.search(centre.x(), centre.y(), z);
+    if (node != nullptr) {
+      states[c] = tree.isNodeOccupied(node) ? CellState::kOccupied : CellState::kFree;
     }
-  }
+  });
   return test::rowsOf(states);
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/constants.h"
 #include "base/random.h"
 
 namespace sfw {
@@ -14,7 +15,6 @@ namespace {
 using Path = std::vector<Position>;
 using Source = BuildingFrame::Source;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kDegree = kPi / 180.0;
 constexpr double kGap = 1.0;
 

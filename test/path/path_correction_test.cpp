@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/constants.h"
 #include "support/mapper_scene.h"
 
 namespace sfw {
@@ -33,8 +34,8 @@ Drive driftingDrive(double stretch, double turn_per_metre, int closure, int step
   OdometryCorrection fix;
   for (int i = 0; i < steps; ++i) {
     if (i > 0 && i % 50 == 0) {
-      yaw_rad += M_PI / 2;
-      odom_yaw_rad += M_PI / 2;
+      yaw_rad += kPi / 2;
+      odom_yaw_rad += kPi / 2;
     }
     if (i > 0) {
       truth += turned(yaw_rad, {kStepWay, 0.0});
@@ -186,7 +187,7 @@ TEST(PathCorrector, AWrongPoseAtTheStartMovesAllAlike) {
 
 TEST(PathCorrector, AJumpOfARobotAtRestMovesAllAlike) {
   const std::vector<OdometryCorrection> fixes = {{kStep, {1.0, 0.0}, {0.0, 0.0}, 0.0},
-                                                 {2 * kStep, {0.0, 3.0}, {0.0, 2.0}, M_PI / 2}};
+                                                 {2 * kStep, {0.0, 3.0}, {0.0, 2.0}, kPi / 2}};
   const PathCorrection correction = correctionOf(fixes);
   EXPECT_LT((correction.moved(kStep, {1.0, 0.0}) - Position(0.0, 3.0)).norm(), 1e-12);
   // What it touched 0.2 m ahead turns with it.

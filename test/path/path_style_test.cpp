@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/constants.h"
 #include "support/ascii_world.h"
 
 namespace sfw::test {
@@ -35,7 +36,7 @@ TEST(PathStyle, AxisShareIsOneAlongTheAxesAndMinusOneMidway) {
   EXPECT_NEAR(styleOfWay({{0, 0}, {0, -1}}).axis_share, 1.0, 1e-9);
   EXPECT_NEAR(styleOfWay({{0, 0}, {0.5, 0.5}}).axis_share, -1.0, 1e-9);
   EXPECT_NEAR(styleOfWay({{0, 0}, {-0.5, 0.5}}).axis_share, -1.0, 1e-9);
-  const double eighth = std::tan(M_PI / 8.0);
+  const double eighth = std::tan(kPi / 8.0);
   EXPECT_NEAR(styleOfWay({{0, 0}, {1, eighth}}).axis_share, 0.0, 1e-9);
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "grid/for_each_cell.h"
 #include "grid/ray.h"
 #include "k_visibility/k_visibility.h"
 #include "simulation/building/wall_crossings.h"
@@ -35,16 +36,13 @@ template <class CountOnRay>
 double agreement(const Grid<CellState>& plan, const Position& access_point, CountOnRay&& count) {
   const Grid<std::uint8_t> k_map = forwardKVisibility(plan, access_point);
   double free = 0.0, agree = 0.0;
-  Cell c;
-  for (c.y = 0; c.y < plan.geometry.height(); ++c.y) {
-    for (c.x = 0; c.x < plan.geometry.width(); ++c.x) {
-      if (plan[c] == CellState::kFree) {
-        free += 1.0;
-        const int walls = count(plan, access_point, plan.geometry.centre(c));
-        agree += k_map[c] == std::min<int>(walls, kMostWalls) ? 1.0 : 0.0;
-      }
+  forEachCell(plan.geometry, [&](Cell c) {
+    if (plan[c] == CellState::kFree) {
+      free += 1.0;
+      const int walls = count(plan, access_point, plan.geometry.centre(c));
+      agree += k_map[c] == std::min<int>(walls, kMostWalls) ? 1.0 : 0.0;
     }
-  }
+  });
   return agree / free;
 }
 
@@ -81,14 +79,11 @@ inline InverseFigures inverseFigures(const Grid<CellState>& plan, const Position
   const Grid<std::uint8_t> k_map = forwardKVisibility(plan, access_point);
   const Grid<CellState> walls = denseInverseKVisibility(k_map, access_point);
   Grid<char> to_find(plan.geometry, 0);
-  Cell c;
-  for (c.y = 0; c.y < plan.geometry.height(); ++c.y) {
-    for (c.x = 0; c.x < plan.geometry.width(); ++c.x) {
-      if (plan[c] == CellState::kFree) {
-        markBetween(k_map, Ray(plan.geometry, access_point, plan.geometry.centre(c)), to_find);
-      }
+  forEachCell(plan.geometry, [&](Cell c) {
+    if (plan[c] == CellState::kFree) {
+      markBetween(k_map, Ray(plan.geometry, access_point, plan.geometry.centre(c)), to_find);
     }
-  }
+  });
   double wanted = 0.0, found = 0.0, called = 0.0, wrong = 0.0;
   for (std::size_t i = 0; i < plan.cells.size(); ++i) {
     const bool wall = walls.cells[i] == CellState::kOccupied;

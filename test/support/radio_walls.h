@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/random.h"
+#include "grid/for_each_cell.h"
 #include "tomography/line_field.h"
 
 namespace sfw::test {
@@ -73,14 +74,11 @@ inline std::vector<Position> placesAlong(const std::vector<Position>& corners) {
 inline Mask coveredBy(const GridGeometry& geometry, const std::vector<Position>& places,
                       double radius) {
   Mask mask(geometry);
-  Cell c;
-  for (c.y = 0; c.y < geometry.height(); ++c.y) {
-    for (c.x = 0; c.x < geometry.width(); ++c.x) {
-      mask[c] = std::any_of(places.begin(), places.end(), [&](const Position& place) {
-        return (geometry.centre(c) - place).norm() <= radius;
-      });
-    }
-  }
+  forEachCell(geometry, [&](Cell c) {
+    mask[c] = std::any_of(places.begin(), places.end(), [&](const Position& place) {
+      return (geometry.centre(c) - place).norm() <= radius;
+    });
+  });
   return mask;
 }
 

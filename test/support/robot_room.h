@@ -2,11 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "base/constants.h"
 #include "simulation/robot/simulated_robot.h"
 
 namespace sfw::test {
-
-inline constexpr double kPi = 3.14159265358979323846;
 
 /// At full speed at once, whatever the speed, until told otherwise.
 inline SimulatedRobot::Config quick() {

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <string>
 
+#include "base/constants.h"
 #include "support/radio_walls.h"
 
 namespace sfw {
@@ -187,7 +188,7 @@ TEST(LineField, OrderOfAccessPointsDoesNotMatter) {
 }
 
 TEST(LineField, ExplainsASlantedWallBetterWithALatticeAlongIt) {
-  const LineLattice slant{GridGeometry(0.2, {0.0, -5.8}, 50, 51), M_PI / 4.0};
+  const LineLattice slant{GridGeometry(0.2, {0.0, -5.8}, 50, 51), kPi / 4.0};
   // Across the slant's x axis, hence from upper left to lower right of the hall.
   const StraightWall wall{true, 5.5, -6.0, 6.0, 6.0};
   std::vector<Position> turned;

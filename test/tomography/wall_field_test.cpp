@@ -6,7 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "base/constants.h"
 #include "grid/distance_transform.h"
+#include "grid/for_each_cell.h"
 #include "support/radio_walls.h"
 
 namespace sfw {
@@ -67,15 +69,12 @@ WallField wallsOf(const World& world, const WallFieldConfig& config = {},
 /// Mean strength of a rectangle of the hall.
 double strengthIn(const WallField& field, const Position& from, const Position& to) {
   double sum = 0.0, count = 0.0;
-  Cell c;
-  for (c.y = 0; c.y < kHall.height(); ++c.y) {
-    for (c.x = 0; c.x < kHall.width(); ++c.x) {
-      if (Box(from, to).contains(kHall.centre(c))) {
-        sum += field.strength[c];
-        count += 1.0;
-      }
+  forEachCell(kHall, [&](Cell c) {
+    if (Box(from, to).contains(kHall.centre(c))) {
+      sum += field.strength[c];
+      count += 1.0;
     }
-  }
+  });
   return sum / count;
 }
 
@@ -147,7 +146,7 @@ TEST(WallField, IsTheMeanOfItsMembers) {
 /// How far losses between the two sides of a slanted wall are from the true ones, on rays that
 /// nobody heard, when walls may have so many directions: root mean square [dB].
 double errorOnASlant(int directions) {
-  const LineLattice slant{kHall, M_PI / 4.0};
+  const LineLattice slant{kHall, kPi / 4.0};
   const StraightWall wall{true, 0.0, -2.0, 2.0, 7.0};
   World world;
   world.places = placesAlong({{-0.6, -2.8},
@@ -212,14 +211,11 @@ double changeUnder(Move&& move) {
   const World world = twoRooms(1.0);
   const WallField field = wallsOf(world), other = wallsOf(moved(world, move));
   double difference = 0.0, sum = 0.0;
-  Cell c;
-  for (c.y = 0; c.y < kHall.height(); ++c.y) {
-    for (c.x = 0; c.x < kHall.width(); ++c.x) {
-      const Cell there = kHall.cellAt(move(kHall.centre(c)));
-      difference += std::abs(field.strength[c] - other.strength[there]);
-      sum += field.strength[c];
-    }
-  }
+  forEachCell(kHall, [&](Cell c) {
+    const Cell there = kHall.cellAt(move(kHall.centre(c)));
+    difference += std::abs(field.strength[c] - other.strength[there]);
+    sum += field.strength[c];
+  });
   return difference / sum;
 }
 

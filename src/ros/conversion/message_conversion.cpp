@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "grid/for_each_cell.h"
 #include "structure_from_wifi/octomap_export.h"
 
 namespace sfw {
@@ -35,12 +36,7 @@ nav_msgs::OccupancyGrid toGrid(const GridGeometry& geometry, const std_msgs::Hea
   message.header = header;
   message.info = toMetaData(geometry, header.stamp);
   message.data.reserve(geometry.size());
-  Cell c;
-  for (c.y = 0; c.y < geometry.height(); ++c.y) {
-    for (c.x = 0; c.x < geometry.width(); ++c.x) {
-      message.data.push_back(value(c));
-    }
-  }
+  forEachCell(geometry, [&](Cell c) { message.data.push_back(value(c)); });
   return message;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "grid/distance_transform.h"
+#include "grid/for_each_cell.h"
 #include "grid/morphology.h"
 
 namespace sfw {
@@ -21,12 +22,9 @@ Mask outsideOf(const Grid<CellState>& states) {
   Mask not_built(GridGeometry(ring, inner.origin() - Position(ring, ring), inner.width() + 2,
                               inner.height() + 2),
                  1);
-  Cell c;
-  for (c.y = 0; c.y < inner.height(); ++c.y) {
-    for (c.x = 0; c.x < inner.width(); ++c.x) {
-      not_built[{c.x + 1, c.y + 1}] = states[c] == CellState::kUnknown ? 1 : 0;
-    }
-  }
+  forEachCell(inner, [&](Cell c) {
+    not_built[{c.x + 1, c.y + 1}] = states[c] == CellState::kUnknown ? 1 : 0;
+  });
   const Components components = labelComponents(not_built);
   const std::int64_t of_ring = components.label[{0, 0}];
   for (std::size_t i = 0; i < not_built.cells.size(); ++i) {
@@ -94,17 +92,14 @@ FloorPlan withMaterials(const Grid<CellState>& states) {
   const Mask within = spaceWithinOuterWalls(states);
   const double reach = kThickestOuterWall / states.geometry.resolution();
   FloorPlan plan(states.geometry);
-  Cell c;
-  for (c.y = 0; c.y < states.geometry.height(); ++c.y) {
-    for (c.x = 0; c.x < states.geometry.width(); ++c.x) {
-      if (states[c] == CellState::kFree) {
-        plan[c] = Material::kFree;
-      } else if (states[c] == CellState::kOccupied) {
-        const bool outer = within[c] == 0 && to_outside[{c.x + 1, c.y + 1}] <= reach;
-        plan[c] = outer ? Material::kOuterWall : Material::kInteriorWall;
-      }
+  forEachCell(states.geometry, [&](Cell c) {
+    if (states[c] == CellState::kFree) {
+      plan[c] = Material::kFree;
+    } else if (states[c] == CellState::kOccupied) {
+      const bool outer = within[c] == 0 && to_outside[{c.x + 1, c.y + 1}] <= reach;
+      plan[c] = outer ? Material::kOuterWall : Material::kInteriorWall;
     }
-  }
+  });
   return plan;
 }
 

@@ -5,27 +5,19 @@
 
 #include "base/random.h"
 #include "base/random_streams.h"
+#include "grid/for_each_cell.h"
+#include "grid/segment.h"
 
 namespace sfw {
 namespace {
 
-double distanceToSegment(const Position& point, const Position& from, const Position& to) {
-  const Position along = to - from;
-  const double length_squared = along.squaredNorm();
-  const double share = length_squared > 0.0 ? (point - from).dot(along) / length_squared : 0.0;
-  return (from + std::clamp(share, 0.0, 1.0) * along - point).norm();
-}
-
 std::vector<Cell> freeCells(const FloorPlan& plan) {
   std::vector<Cell> cells;
-  Cell c;
-  for (c.y = 0; c.y < plan.geometry.height(); ++c.y) {
-    for (c.x = 0; c.x < plan.geometry.width(); ++c.x) {
-      if (plan[c] == Material::kFree) {
-        cells.push_back(c);
-      }
+  forEachCell(plan.geometry, [&](Cell c) {
+    if (plan[c] == Material::kFree) {
+      cells.push_back(c);
     }
-  }
+  });
   return cells;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "grid/for_each_cell.h"
 #include "simulation/building/floor_layout.h"
 #include "structure_from_wifi/input_error.h"
 
@@ -100,13 +101,10 @@ FloorPlan rasterised(const Building& building, const PlanGeneratorConfig& config
   FloorPlan plan(GridGeometry::covering(boxAround(building, map_from_building), config.resolution,
                                         config.resolution, kMostCells));
   const Eigen::Rotation2Dd building_from_map = map_from_building.inverse();
-  Cell c;
-  for (c.y = 0; c.y < plan.geometry.height(); ++c.y) {
-    for (c.x = 0; c.x < plan.geometry.width(); ++c.x) {
-      const Position at = building_from_map * plan.geometry.centre(c) + nudge;
-      plan[c] = materialAt(building, 100.0 * at);
-    }
-  }
+  forEachCell(plan.geometry, [&](Cell c) {
+    const Position at = building_from_map * plan.geometry.centre(c) + nudge;
+    plan[c] = materialAt(building, 100.0 * at);
+  });
   return plan;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/constants.h"
 #include "base/random.h"
 #include "base/random_streams.h"
 #include "base/range_check.h"
@@ -12,7 +13,6 @@
 namespace sfw {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kUsualTxDbm = 20.0;       // that rssi_at_1m is for
 constexpr double kWallPatch = 2.0;         // metres over which a wall's loss changes
 constexpr double kAreaPerFurniture = 9.0;  // square metres

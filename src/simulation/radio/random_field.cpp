@@ -2,12 +2,12 @@
 
 #include <cmath>
 
+#include "base/constants.h"
 #include "base/random.h"
 
 namespace sfw {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr std::size_t kWaves = 128;
 
 /// The wave number below which a share of the field's power lies, for length 1: the inverse of the

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
 
+#include "grid/dijkstra.h"
 #include "grid/distance_transform.h"
+#include "grid/for_each_cell.h"
 #include "grid/morphology.h"
 #include "grid/ray.h"
+#include "grid/segment.h"
 
 namespace sfw {
 namespace {
@@ -17,26 +19,11 @@ constexpr double kRounding = 1e-6;
 
 Position toPosition(Cell c) { return {static_cast<double>(c.x), static_cast<double>(c.y)}; }
 
-/// A place to go on from; the cheapest comes first, then the first in row-major order.
-struct Open {
-  double cost;
-  std::size_t index;
-  Cell cell;
-
-  friend bool operator>(const Open& a, const Open& b) {
-    return a.cost != b.cost ? a.cost > b.cost : a.index > b.index;
-  }
-};
-using OpenList = std::priority_queue<Open, std::vector<Open>, std::greater<>>;
-
 }  // namespace
 
 double distanceToDrive(Cell c, Cell from, Cell to) {
-  const Position along = toPosition(to) - toPosition(from);
-  const Position offset = toPosition(c) - toPosition(from);
-  const double squared = along.squaredNorm();
-  const double share = squared > 0.0 ? std::clamp(offset.dot(along) / squared, 0.0, 1.0) : 0.0;
-  return (share * along - offset).norm();
+  const Position start = toPosition(from);
+  return distanceToSegment(toPosition(c) - start, Position::Zero(), toPosition(to) - start);
 }
 
 ConfigurationSpace::ConfigurationSpace(const Grid<CellState>& plan, double radius_m)
@@ -49,14 +36,11 @@ ConfigurationSpace::ConfigurationSpace(const Grid<CellState>& plan, double radiu
     obstacles.cells[i] = plan.cells[i] == CellState::kFree ? 0 : 1;
   }
   clearance_ = distanceTransform(obstacles);
-  Cell c;
-  for (c.y = 0; c.y < g.height(); ++c.y) {
-    for (c.x = 0; c.x < g.width(); ++c.x) {
-      const std::int64_t to_edge = std::min({c.x + 1, c.y + 1, g.width() - c.x, g.height() - c.y});
-      clearance_[c] = std::min(clearance_[c], static_cast<double>(to_edge));
-      within_[c] = clearance_[c] >= reach_ ? 1 : 0;
-    }
-  }
+  forEachCell(g, [&](Cell c) {
+    const std::int64_t to_edge = std::min({c.x + 1, c.y + 1, g.width() - c.x, g.height() - c.y});
+    clearance_[c] = std::min(clearance_[c], static_cast<double>(to_edge));
+    within_[c] = clearance_[c] >= reach_ ? 1 : 0;
+  });
 }
 
 void ConfigurationSpace::keepConnectedTo(Cell start) {
@@ -74,15 +58,12 @@ std::optional<Cell> ConfigurationSpace::middle() const {
   }
   const auto largest = std::max_element(sizes.begin(), sizes.end()) - sizes.begin();
   std::optional<Cell> best;
-  Cell c;
-  for (c.y = 0; c.y < geometry().height(); ++c.y) {
-    for (c.x = 0; c.x < geometry().width(); ++c.x) {
-      const bool in_largest = largest > 0 && parts.label[c] == largest;
-      if (in_largest && (!best || clearance_[c] > clearance_[*best])) {
-        best = c;
-      }
+  forEachCell(geometry(), [&](Cell c) {
+    const bool in_largest = largest > 0 && parts.label[c] == largest;
+    if (in_largest && (!best || clearance_[c] > clearance_[*best])) {
+      best = c;
     }
-  }
+  });
   return best;
 }
 
@@ -131,30 +112,21 @@ std::vector<Cell> PathFinder::toNearest(Cell from, const std::function<bool(Cell
     cost_[c] = kFar;
   }
   touched_.assign(1, from);
-  cost_[from] = 0.0;
-  OpenList open;
-  open.push({0.0, space_.geometry().index(from), from});
-  while (!open.empty()) {
-    const Open at = open.top();
-    open.pop();
-    if (at.cost > cost_[at.cell]) {
-      continue;
-    }
-    if (wanted(at.cell)) {
-      std::vector<Cell> path{at.cell};
+  Dijkstra<double> search(cost_);
+  search.lower(from, 0.0);
+  while (const std::optional<Cell> at = search.settle()) {
+    if (wanted(*at)) {
+      std::vector<Cell> path{*at};
       while (path.back() != from) {
         path.push_back(before_[path.back()]);
       }
       std::reverse(path.begin(), path.end());
       return path;
     }
-    space_.forEachStep(at.cell, [&](Cell next, double length) {
-      const double cost = at.cost + costOfStep(at.cell, next, length);
-      if (cost < cost_[next]) {
-        cost_[next] = cost;
-        before_[next] = at.cell;
+    space_.forEachStep(*at, [&](Cell next, double length) {
+      if (search.lower(next, cost_[*at] + costOfStep(*at, next, length))) {
+        before_[next] = *at;
         touched_.push_back(next);
-        open.push({cost, space_.geometry().index(next), next});
       }
     });
   }
@@ -162,23 +134,13 @@ std::vector<Cell> PathFinder::toNearest(Cell from, const std::function<bool(Cell
 }
 
 void DriveDistance::add(const std::vector<Cell>& places) {
-  OpenList open;
+  Dijkstra<double> search(length_);
   for (const Cell c : places) {
-    length_[c] = 0.0;
-    open.push({0.0, space_.geometry().index(c), c});
+    search.lower(c, 0.0);
   }
-  while (!open.empty()) {
-    const Open at = open.top();
-    open.pop();
-    if (at.cost > length_[at.cell]) {
-      continue;
-    }
-    space_.forEachStep(at.cell, [&](Cell next, double step) {
-      if (at.cost + step < length_[next]) {
-        length_[next] = at.cost + step;
-        open.push({at.cost + step, space_.geometry().index(next), next});
-      }
-    });
+  while (const std::optional<Cell> at = search.settle()) {
+    space_.forEachStep(*at,
+                       [&](Cell next, double step) { search.lower(next, length_[*at] + step); });
   }
 }
 

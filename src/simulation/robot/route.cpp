@@ -7,12 +7,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/constants.h"
+#include "grid/segment.h"
 #include "structure_from_wifi/input_error.h"
 
 namespace sfw {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 void requirePositive(double value, const char* name) {
   if (!(std::isfinite(value) && value > 0.0)) {
@@ -34,13 +34,6 @@ std::string toText(const Position& point) {
   char text[64];
   std::snprintf(text, sizeof text, "(%.2f, %.2f)", point.x(), point.y());
   return text;
-}
-
-double distanceToSegment(const Position& point, const Position& a, const Position& b) {
-  const Position along = b - a;
-  const double length_squared = along.squaredNorm();
-  const double share = length_squared > 0.0 ? (point - a).dot(along) / length_squared : 0.0;
-  return (a + std::clamp(share, 0.0, 1.0) * along - point).norm();
 }
 
 /// A cell that is not free and too near to the segment; the lowest row first.

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <unordered_map>
 
+#include "grid/for_each_cell.h"
 #include "simulation/robot/configuration_space.h"
 #include "simulation/robot/route_strokes.h"
 #include "structure_from_wifi/input_error.h"
@@ -207,14 +208,11 @@ std::vector<Cell> withSomewhereToGo(std::vector<Cell> route, const Configuration
   DriveDistance distance(space);
   distance.add(route);
   Cell farthest = route.front();
-  Cell c;
-  for (c.y = 0; c.y < space.geometry().height(); ++c.y) {
-    for (c.x = 0; c.x < space.geometry().width(); ++c.x) {
-      if (space.contains(c) && distance[c] > distance[farthest]) {
-        farthest = c;
-      }
+  forEachCell(space.geometry(), [&](Cell c) {
+    if (space.contains(c) && distance[c] > distance[farthest]) {
+      farthest = c;
     }
-  }
+  });
   if (farthest == route.front()) {
     throw InputError("the robot cannot move from its start");
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "grid/contour.h"
+#include "grid/for_each_cell.h"
 #include "grid/morphology.h"
 
 namespace sfw {
@@ -20,12 +21,9 @@ constexpr double kSmallestThing = 1.0;  // round which the robot drives: its cir
 /// The cells of a space at some distance from all walls, by the room that they are in.
 Components roomsOf(const ConfigurationSpace& space, double distance) {
   Mask middle(space.geometry());
-  Cell c;
-  for (c.y = 0; c.y < space.geometry().height(); ++c.y) {
-    for (c.x = 0; c.x < space.geometry().width(); ++c.x) {
-      middle[c] = space.contains(c) && space.clearance(c) >= distance ? 1 : 0;
-    }
-  }
+  forEachCell(space.geometry(), [&](Cell c) {
+    middle[c] = space.contains(c) && space.clearance(c) >= distance ? 1 : 0;
+  });
   return labelComponents(middle);
 }
 
@@ -84,15 +82,12 @@ void addFarthest(const ConfigurationSpace& space, const Mask& places, double rea
   while (true) {
     double farthest = reach;
     Cell best{-1, -1};
-    Cell c;
-    for (c.y = 0; c.y < g.height(); ++c.y) {
-      for (c.x = 0; c.x < g.width(); ++c.x) {
-        if (places[c] != 0 && distance[c] > farthest) {
-          farthest = distance[c];
-          best = c;
-        }
+    forEachCell(g, [&](Cell c) {
+      if (places[c] != 0 && distance[c] > farthest) {
+        farthest = distance[c];
+        best = c;
       }
-    }
+    });
     if (best.x < 0) {
       return;
     }
@@ -211,15 +206,12 @@ class WallDrive {
 /// The cell of each room that is farthest from its walls, by the room's number.
 std::vector<Cell> middles(const ConfigurationSpace& space, const Components& rooms) {
   std::vector<Cell> middle(static_cast<std::size_t>(rooms.count) + 1, Cell{-1, -1});
-  Cell c;
-  for (c.y = 0; c.y < space.geometry().height(); ++c.y) {
-    for (c.x = 0; c.x < space.geometry().width(); ++c.x) {
-      Cell& best = middle[static_cast<std::size_t>(rooms.label[c])];
-      if (rooms.label[c] != 0 && (best.x < 0 || space.clearance(c) > space.clearance(best))) {
-        best = c;
-      }
+  forEachCell(space.geometry(), [&](Cell c) {
+    Cell& best = middle[static_cast<std::size_t>(rooms.label[c])];
+    if (rooms.label[c] != 0 && (best.x < 0 || space.clearance(c) > space.clearance(best))) {
+      best = c;
     }
-  }
+  });
   return middle;
 }
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "base/constants.h"
 #include "support/moments.h"
 #include "support/radio_hall.h"
 
@@ -19,7 +20,6 @@ using test::momentsOf;
 using test::oneAt;
 using test::quietRadio;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kErrors = 4.0;  // standard errors that a bound allows
 
 RobotPose at(const Position& place, double yaw_rad = 0.0) { return {place, yaw_rad}; }

@@ -6,6 +6,7 @@
 #include <functional>
 #include <stdexcept>
 
+#include "base/constants.h"
 #include "files/map_server.h"
 #include "simulation/building/wall_crossings.h"
 #include "structure_from_wifi/input_error.h"
@@ -15,8 +16,6 @@
 
 namespace sfw {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// A plan of 1 m cells.
 Grid<CellState> drawn(const std::vector<std::string>& rows) { return test::world(rows, 1.0); }

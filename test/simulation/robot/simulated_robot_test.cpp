@@ -12,7 +12,6 @@ namespace sfw {
 namespace {
 
 using test::driven;
-using test::kPi;
 using test::quick;
 using test::room;
 

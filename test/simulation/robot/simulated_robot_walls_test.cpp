@@ -7,6 +7,7 @@
 
 #include "base/random.h"
 #include "files/map_server.h"
+#include "grid/for_each_cell.h"
 #include "simulation/building/plan_generator.h"
 #include "simulation/robot/simulated_robot.h"
 #include "support/ascii_world.h"
@@ -16,7 +17,6 @@ namespace sfw {
 namespace {
 
 using test::driven;
-using test::kPi;
 using test::quick;
 using test::room;
 
@@ -134,16 +134,13 @@ double clearanceAt(const Grid<CellState>& plan, const Position& point) {
   const Box bounds = geometry.box();
   double nearest = std::min((point - bounds.min()).minCoeff(), (bounds.max() - point).minCoeff());
   const Position half_cell = Position::Constant(0.5 * geometry.resolution());
-  Cell c;
-  for (c.y = 0; c.y < geometry.height(); ++c.y) {
-    for (c.x = 0; c.x < geometry.width(); ++c.x) {
-      if (plan[c] != CellState::kFree) {
-        const Position centre = geometry.centre(c);
-        const Box square(centre - half_cell, centre + half_cell);
-        nearest = std::min(nearest, square.exteriorDistance(point));
-      }
+  forEachCell(geometry, [&](Cell c) {
+    if (plan[c] != CellState::kFree) {
+      const Position centre = geometry.centre(c);
+      const Box square(centre - half_cell, centre + half_cell);
+      nearest = std::min(nearest, square.exteriorDistance(point));
     }
-  }
+  });
   return nearest;
 }
 
