@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "belief/fused_belief.h"
+#include "radio/shadowing.h"
 #include "ros/conversion/markers.h"
 #include "ros/conversion/message_conversion.h"
 #include "simulation/building/plan_generator.h"
@@ -117,16 +118,11 @@ DriveData mappedDrive(const Mapper& mapper, const std::vector<AccessPoint>& acce
   return drive;
 }
 
-SignalPrecision precisionOf(const AccessPointBins& heard, std::size_t count,
-                            const ShadowingModel& model) {
-  std::vector<Position> places;
-  std::vector<double> noise, loss;
-  for (std::size_t i = 0; i < count; ++i) {
-    places.push_back(heard.bins[i].place);
-    noise.push_back(heard.noise_db2 / heard.bins[i].readings);
-    loss.push_back(logDistance(heard, heard.bins[i].place));
-  }
-  return {places, noise, loss, model};
+/// Of the first `count` bins of an access point.
+SignalPrecision precisionOf(AccessPointBins access_point, std::size_t count,
+                            const SignalCovariance& model) {
+  access_point.bins.resize(count);
+  return {access_point, model};
 }
 
 /// One gradient, the plain way, as many times as all members need; the set-up is not counted.
@@ -135,31 +131,33 @@ double plainSeconds(const std::vector<AccessPointBins>& heard, const WallFieldCo
   for (const AccessPointBins& one : heard) {
     Box box(one.position);
     for (const RadioBin& bin : one.bins) {
-      box.extend(bin.place);
+      box.extend(bin.position);
     }
-    LineField field{LatticeLoss(LineLattice{
-        GridGeometry::covering(box, config.line_resolution, config.line_resolution, 10000000)})};
+    LineField field{LatticeLoss(LineLattice{GridGeometry::covering(
+        box, config.line_resolution_m, config.line_resolution_m, 10000000)})};
     LatticeLoss& loss = field.front();
-    const auto size =
-        static_cast<Eigen::Index>((1.0 - config.left_out) * static_cast<double>(one.bins.size()));
+    const auto size = static_cast<Eigen::Index>((1.0 - config.holdout_fraction) *
+                                                static_cast<double>(one.bins.size()));
     const Eigen::MatrixXd precision = Eigen::MatrixXd::Constant(size, size, 0.5);
     const GridGeometry& geometry = loss.lattice.geometry;
     sum += cpuSeconds([&] {
       Eigen::VectorXd losses(size);
       for (Eigen::Index i = 0; i < size; ++i) {
-        losses[i] = lossBetween(field, one.position, one.bins[static_cast<std::size_t>(i)].place);
+        losses[i] =
+            lossBetween(field, one.position, one.bins[static_cast<std::size_t>(i)].position);
       }
       const Eigen::VectorXd pull = precision * losses;
       for (Eigen::Index i = 0; i < size; ++i) {
-        forEachLine(geometry, one.position, one.bins[static_cast<std::size_t>(i)].place,
-                    [&](bool across_x, Cell c) {
-                      (across_x ? loss.across_x : loss.across_y)[c] += static_cast<float>(pull[i]);
+        forEachLine(geometry, one.position, one.bins[static_cast<std::size_t>(i)].position,
+                    [&](bool walls_along_y, Cell c) {
+                      (walls_along_y ? loss.walls_along_y : loss.walls_along_x)[c] +=
+                          static_cast<float>(pull[i]);
                     });
       }
-      return static_cast<double>(loss.across_x.cells.front());
+      return static_cast<double>(loss.walls_along_y.cells.front());
     });
   }
-  return sum * 2.0 * config.line.iterations * config.members;
+  return sum * 2.0 * config.line.iterations * config.ensemble_size;
 }
 
 /// The path's cells: those that are no way from it.
@@ -182,8 +180,8 @@ void measure(double minutes, const Mapper& mapper, const std::vector<AccessPoint
   const DriveData drive = mappedDrive(mapper, access_points);
   const DriveFeatures described = extractDriveFeatures(drive, config, never);
   WallFieldConfig walls;
-  walls.line.saturation_db = std::numeric_limits<double>::infinity();
-  walls.line.shadowing.unexplained_db2 = config.tomography.nugget_db * config.tomography.nugget_db;
+  walls.line.max_total_wall_loss_db = std::numeric_limits<double>::infinity();
+  walls.line.covariance.nugget_db2 = config.tomography.nugget_db * config.tomography.nugget_db;
   const DrivenPath path{pathCells(described.cells),
                         [&] {
                           std::vector<Position> driven;
@@ -198,10 +196,10 @@ void measure(double minutes, const Mapper& mapper, const std::vector<AccessPoint
   double precision = 0.0;
   for (const AccessPointBins& one : described.heard) {
     bins += one.bins.size();
-    const auto part =
-        static_cast<std::size_t>((1.0 - walls.left_out) * static_cast<double>(one.bins.size()));
-    precision += walls.members * cpuSeconds([&] {
-                   return precisionOf(one, part, walls.line.shadowing)
+    const auto part = static_cast<std::size_t>((1.0 - walls.holdout_fraction) *
+                                               static_cast<double>(one.bins.size()));
+    precision += walls.ensemble_size * cpuSeconds([&] {
+                   return precisionOf(one, part, walls.line.covariance)
                        .times(Eigen::VectorXd::Ones(static_cast<Eigen::Index>(part)))
                        .sum();
                  });
@@ -209,7 +207,7 @@ void measure(double minutes, const Mapper& mapper, const std::vector<AccessPoint
   const double wall_field = cpuSeconds([&] {
     return estimateWalls(path.cells.geometry, described.heard, path.cells, path.robot_radius_m,
                          walls, never)
-        .ray_loss[0][0];
+        .ray_loss_db[0][0];
   });
   const double features = cpuSeconds([&] {
     return static_cast<double>(

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "radio/radio_bins.h"
 #include "simulation/building/plan_generator.h"
 #include "simulation/radio/noise_level.h"
 #include "simulation/radio/radio_model.h"
@@ -51,13 +52,13 @@ double seconds(Work&& work) {
 double denseSeconds(const std::vector<AccessPointBins>& heard, const WallFieldConfig& config) {
   double sum = 0.0;
   for (const AccessPointBins& one : heard) {
-    const double share = config.members > 1 ? 1.0 - config.left_out : 1.0;
+    const double share = config.ensemble_size > 1 ? 1.0 - config.holdout_fraction : 1.0;
     const auto size = static_cast<Eigen::Index>(share * static_cast<double>(one.bins.size()));
     const Eigen::MatrixXd precision = Eigen::MatrixXd::Constant(size, size, 0.5);
     const Eigen::VectorXd residual = Eigen::VectorXd::Ones(size);
     sum += seconds([&] { return Eigen::VectorXd(precision * residual).sum(); });
   }
-  return sum * 2.0 * config.line.iterations * config.members;
+  return sum * 2.0 * config.line.iterations * config.ensemble_size;
 }
 
 void measure(const std::string& name, const std::vector<AccessPointBins>& heard,
@@ -79,7 +80,7 @@ void measure(const std::string& name, const std::vector<AccessPointBins>& heard,
   const WallFieldConfig config;
   const std::atomic<bool> never{false};
   const double ours = seconds([&] {
-    return estimateWalls(geometry, heard, driven, kRadius, config, never).ray_loss[0][0];
+    return estimateWalls(geometry, heard, driven, kRadius, config, never).ray_loss_db[0][0];
   });
   const double dense = denseSeconds(heard, config);
   std::size_t bins = 0;
@@ -136,7 +137,7 @@ void measureRecording(const std::string& readings, const std::string& access_poi
       }
     }
     if (!samples.empty()) {
-      heard.push_back(binned(samples, one.position, one.height_m, frame, kBin));
+      heard.push_back(binSamples(samples, one.position, one.height_m, frame, kBin));
     }
   }
   measure("recording", heard, path);

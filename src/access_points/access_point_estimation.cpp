@@ -12,70 +12,71 @@
 namespace sfw {
 namespace {
 
-constexpr double kBin = 0.4;  // [m]
+constexpr double kBinSizeM = 0.4;
 constexpr std::size_t kFewestBins = 12;
 constexpr std::size_t kMostBins = 300;
-constexpr double kLeastSpread = 1.0;  // [dB]; less is rounding, not distance
+constexpr double kLeastSpreadDb = 1.0;  // less is rounding, not distance
 
-constexpr double kLeastNoise = 0.1;  // [dB2]
+constexpr double kLeastNoiseDb2 = 0.1;
 
-constexpr double kMargin = 8.0;  // [m], of the search beyond the path
-constexpr double kCoarseCell = 0.5;
+constexpr double kMarginM = 8.0;  // of the search beyond the path
+constexpr double kCoarseCellM = 0.5;
 constexpr double kMostCoarseCells = 2500.0;
 constexpr std::size_t kMostFineCells = 250;
 constexpr int kRefinements = 2;  // to an eighth of a metre: finer than any path is known
-constexpr double kWidest = 5.0;  // [m]
+constexpr double kLargestDeviationM = 5.0;
 
-/// Cells this much less likely than the best, as a logarithm, do not count.
+/// Cells are ignored if their log likelihood is this much below the best one.
 constexpr double kNegligible = 12.0;
 
-/// A mean that is this much less likely than the best lies between places, not at one.
+/// A mean lies between several likely positions if its log likelihood is this much below the best.
 constexpr double kAmbiguous = 3.0;
 
-/// Simulated access points that stand where they are said to hardly ever pass both limits; most of
-/// those moved by 3 m or more do.
+/// In simulation, correct positions hardly ever pass both limits; most positions that are wrong by
+/// 3 m or more do.
 constexpr double kSuspectRatio = 6.0;
-constexpr double kSuspectDistance = 1.5;  // [m]
+constexpr double kSuspectDistanceM = 1.5;
 
-/// Variance of a reading about its bin's mean. Successive readings would tell it too, but the order
-/// in which they came must not matter.
-double noiseOf(const std::vector<Sample>& samples, const std::vector<RadioBin>& bins) {
-  constexpr double kUsual = 9.0;          // [dB2]
-  constexpr double kReadings = 2.0;       // that the usual noise counts as
-  constexpr double kUsualSignal = -60.0;  // [dBm], taken off first: squares of large numbers round
-  double sum = kReadings * kUsual;
+/// Variance of a reading about its bin's mean [dB2]. Differences of successive readings would give
+/// it too, but the order of the readings must not matter.
+double noiseWithinBins(const std::vector<Sample>& samples, const std::vector<RadioBin>& bins) {
+  constexpr double kUsualDb2 = 9.0;
+  constexpr double kReadings = 2.0;          // weight of the usual noise, as a number of readings
+  constexpr double kUsualSignalDbm = -60.0;  // subtracted first: squares of large numbers round
+  double sum = kReadings * kUsualDb2;
   for (const Sample& sample : samples) {
-    sum += (sample.rssi_dbm - kUsualSignal) * (sample.rssi_dbm - kUsualSignal);
+    sum += (sample.rssi_dbm - kUsualSignalDbm) * (sample.rssi_dbm - kUsualSignalDbm);
   }
   for (const RadioBin& bin : bins) {
-    sum -= bin.readings * (bin.rssi_dbm - kUsualSignal) * (bin.rssi_dbm - kUsualSignal);
+    sum -= bin.readings * (bin.rssi_dbm - kUsualSignalDbm) * (bin.rssi_dbm - kUsualSignalDbm);
   }
   const double freedom = static_cast<double>(samples.size() - bins.size()) + kReadings;
-  return std::max(kLeastNoise, sum / freedom);
+  return std::max(kLeastNoiseDb2, sum / freedom);
 }
 
-/// Bins of a size that keeps them few.
-AccessPointBins thinned(std::vector<Sample> samples, std::optional<double> height_m) {
+/// Bins of at least 0.4 m, larger ones where there would be more than kMostBins.
+AccessPointBins coarseBins(std::vector<Sample> samples, std::optional<double> height_m) {
   std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) {
     return std::make_tuple(a.antenna_in_map.x(), a.antenna_in_map.y(), a.rssi_dbm) <
            std::make_tuple(b.antenna_in_map.x(), b.antenna_in_map.y(), b.rssi_dbm);
   });
-  // No bin is near this, so none is left out.
+  // All bins are far from this position, so binSamples drops none as too near.
   Position beyond(0.0, 0.0);
   for (const Sample& sample : samples) {
     beyond = beyond.cwiseMax(sample.antenna_in_map + Position(1.0, 1.0));
   }
-  AccessPointBins heard;
-  double bin = kBin;
+  AccessPointBins binned;
+  double bin_size_m = kBinSizeM;
   do {
-    heard = binned(samples, beyond, height_m, BuildingFrame(), bin);
-    bin *= 1.25;
-  } while (heard.bins.size() > kMostBins);
-  heard.noise_db2 = noiseOf(samples, heard.bins);
-  return heard;
+    binned = binSamples(samples, beyond, height_m, BuildingFrame(), bin_size_m);
+    bin_size_m *= 1.25;
+  } while (binned.bins.size() > kMostBins);
+  binned.noise_db2 = noiseWithinBins(samples, binned.bins);
+  return binned;
 }
 
-double spreadOf(const std::vector<RadioBin>& bins) {
+/// Standard deviation of the bins' signals [dB].
+double signalSpread(const std::vector<RadioBin>& bins) {
   double mean = 0.0;
   double square = 0.0;
   for (const RadioBin& bin : bins) {
@@ -87,29 +88,30 @@ double spreadOf(const std::vector<RadioBin>& bins) {
   return std::sqrt(square / static_cast<double>(bins.size()));
 }
 
-/// A square of places and how likely its middle is.
+/// A square of the search and the log likelihood of its centre.
 struct Patch {
-  Position middle;
-  double edge;
+  Position centre;
+  double edge_m;
   double log_likelihood;
 };
 
-bool likelier(const Patch& a, const Patch& b) { return a.log_likelihood > b.log_likelihood; }
+bool moreLikely(const Patch& a, const Patch& b) { return a.log_likelihood > b.log_likelihood; }
 
-Box searched(const std::vector<RadioBin>& bins) {
-  const Position margin(kMargin, kMargin);
+/// The area of the search [m].
+Box searchedArea(const std::vector<RadioBin>& bins) {
+  const Position margin(kMarginM, kMarginM);
   Box box;
   for (const RadioBin& bin : bins) {
-    box.extend(bin.place);
+    box.extend(bin.position);
   }
   return {box.min() - margin, box.max() + margin};
 }
 
 std::vector<Patch> coarsePatches(AccessPointLikelihood& likelihood) {
-  const Box box = searched(likelihood.heard().bins);
+  const Box box = searchedArea(likelihood.accessPoint().bins);
   const Position low = box.min();
   const Position size = box.sizes();
-  const double edge = std::max(kCoarseCell, std::sqrt(size.prod() / kMostCoarseCells));
+  const double edge = std::max(kCoarseCellM, std::sqrt(size.prod() / kMostCoarseCells));
   std::vector<Patch> patches;
   for (double y = low.y() + 0.5 * edge; y < low.y() + size.y(); y += edge) {
     for (double x = low.x() + 0.5 * edge; x < low.x() + size.x(); x += edge) {
@@ -119,9 +121,9 @@ std::vector<Patch> coarsePatches(AccessPointLikelihood& likelihood) {
   return patches;
 }
 
-/// Quarters the likeliest patches.
+/// Quarters the most likely patches.
 void refine(AccessPointLikelihood& likelihood, std::vector<Patch>& patches) {
-  std::stable_sort(patches.begin(), patches.end(), likelier);
+  std::stable_sort(patches.begin(), patches.end(), moreLikely);
   const double least = patches.front().log_likelihood - kNegligible;
   std::vector<Patch> quarters;
   std::size_t done = 0;
@@ -132,8 +134,8 @@ void refine(AccessPointLikelihood& likelihood, std::vector<Patch>& patches) {
     }
     for (const double y : {-0.25, 0.25}) {
       for (const double x : {-0.25, 0.25}) {
-        const Position middle = patch.middle + patch.edge * Position(x, y);
-        quarters.push_back({middle, 0.5 * patch.edge, likelihood.at(middle)});
+        const Position centre = patch.centre + patch.edge_m * Position(x, y);
+        quarters.push_back({centre, 0.5 * patch.edge_m, likelihood.at(centre)});
       }
     }
   }
@@ -141,52 +143,56 @@ void refine(AccessPointLikelihood& likelihood, std::vector<Patch>& patches) {
   patches.insert(patches.end(), quarters.begin(), quarters.end());
 }
 
+/// Mean [m] and covariance [m2] of a position.
 struct Moments {
   Position mean = Position::Zero();
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
 };
 
-/// Mean of the likelihood over the patches, and covariance about it or about another centre.
+/// Mean of the likelihood over the patches, and covariance about the mean or about another centre.
+/// @param best    largest log likelihood of all patches
+/// @param centre  of the covariance; null: the mean
 Moments momentsOf(const std::vector<Patch>& patches, double best, const Position* centre) {
   Moments moments;
   double sum = 0.0;
   for (const Patch& patch : patches) {
-    const double weight = patch.edge * patch.edge * std::exp(patch.log_likelihood - best);
+    const double weight = patch.edge_m * patch.edge_m * std::exp(patch.log_likelihood - best);
     sum += weight;
-    moments.mean += weight * patch.middle;
+    moments.mean += weight * patch.centre;
   }
   moments.mean /= sum;
   const Position about = centre != nullptr ? *centre : moments.mean;
   for (const Patch& patch : patches) {
-    const double weight = patch.edge * patch.edge * std::exp(patch.log_likelihood - best) / sum;
-    const Position away = patch.middle - about;
-    moments.covariance += weight * (away * away.transpose() +
-                                    patch.edge * patch.edge / 12.0 * Eigen::Matrix2d::Identity());
+    const double weight = patch.edge_m * patch.edge_m * std::exp(patch.log_likelihood - best) / sum;
+    const Position away = patch.centre - about;
+    moments.covariance += weight * (away * away.transpose() + patch.edge_m * patch.edge_m / 12.0 *
+                                                                  Eigen::Matrix2d::Identity());
   }
   return moments;
 }
 
-double widestOf(const Eigen::Matrix2d& covariance) {
+/// Largest standard deviation on any axis [m].
+double largestDeviation(const Eigen::Matrix2d& covariance) {
   return std::sqrt(
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(covariance).eigenvalues().maxCoeff());
 }
 
 std::optional<AccessPointEstimate> search(AccessPointLikelihood& likelihood) {
-  const std::vector<RadioBin>& bins = likelihood.heard().bins;
+  const std::vector<RadioBin>& bins = likelihood.accessPoint().bins;
   std::vector<Patch> patches = coarsePatches(likelihood);
   for (int i = 0; i < kRefinements; ++i) {
     refine(likelihood, patches);
   }
-  const Patch best = *std::min_element(patches.begin(), patches.end(), likelier);
+  const Patch best = *std::min_element(patches.begin(), patches.end(), moreLikely);
   const Moments moments = momentsOf(patches, best.log_likelihood, nullptr);
   AccessPointEstimate estimate;
   estimate.position = moments.mean;
   estimate.covariance = moments.covariance;
   if (likelihood.at(moments.mean) < best.log_likelihood - kAmbiguous) {
     estimate.ambiguous = true;
-    estimate.position = best.middle;
-    estimate.covariance = momentsOf(patches, best.log_likelihood, &best.middle).covariance;
-  } else if (widestOf(estimate.covariance) > kWidest) {
+    estimate.position = best.centre;
+    estimate.covariance = momentsOf(patches, best.log_likelihood, &best.centre).covariance;
+  } else if (largestDeviation(estimate.covariance) > kLargestDeviationM) {
     return std::nullopt;
   }
   estimate.bins = bins.size();
@@ -196,36 +202,37 @@ std::optional<AccessPointEstimate> search(AccessPointLikelihood& likelihood) {
   return estimate;
 }
 
-/// Some places all over the area that is searched.
-std::vector<Position> somePlaces(const Box& box) {
+/// Ten by ten positions, evenly spread over an area.
+std::vector<Position> evenlySpread(const Box& area) {
   constexpr int kEachWay = 10;
-  std::vector<Position> places;
+  std::vector<Position> positions;
   for (int y = 0; y < kEachWay; ++y) {
     for (int x = 0; x < kEachWay; ++x) {
       const Position share((x + 0.5) / kEachWay, (y + 0.5) / kEachWay);
-      places.push_back(box.min() + box.sizes().cwiseProduct(share));
+      positions.push_back(area.min() + area.sizes().cwiseProduct(share));
     }
   }
-  return places;
+  return positions;
 }
 
-/// The likelihood with the shadowing that explains the signals best, with the access point at the
-/// best of some places: how strong it is and how far it reaches differs from building to building,
-/// and so does what signals can tell.
-AccessPointLikelihood likeliest(const AccessPointBins& heard) {
-  constexpr double kUsual = 5.0;   // [dB]
-  constexpr double kFactor = 0.5;  // deviation of its logarithm
-  const std::vector<Position> places = somePlaces(searched(heard.bins));
+/// The likelihood for the shadow fading that explains the signals best.
+///
+/// Strength and reach of shadow fading differ from building to building, and so does the accuracy
+/// that signals allow. Each pair is rated by the best of some positions of the access point.
+AccessPointLikelihood withBestShadowing(const AccessPointBins& access_point) {
+  constexpr double kUsualDb = 5.0;
+  constexpr double kFactor = 0.5;  // standard deviation of the deviation's logarithm
+  const std::vector<Position> positions = evenlySpread(searchedArea(access_point.bins));
   std::optional<AccessPointLikelihood> best;
   double most = -std::numeric_limits<double>::infinity();
-  for (const double distance : {1.5, 4.0}) {
-    for (const double deviation : {1.0, 2.0, 3.0, 4.0, 5.5, 7.5}) {
-      AccessPointLikelihood likelihood(heard, {deviation, distance});
+  for (const double distance_m : {1.5, 4.0}) {
+    for (const double deviation_db : {1.0, 2.0, 3.0, 4.0, 5.5, 7.5}) {
+      AccessPointLikelihood likelihood(access_point, {deviation_db, distance_m});
       double evidence = -std::numeric_limits<double>::infinity();
-      for (const Position& place : places) {
-        evidence = std::max(evidence, likelihood.at(place));
+      for (const Position& position : positions) {
+        evidence = std::max(evidence, likelihood.at(position));
       }
-      const double unusual = std::log(deviation / kUsual) / kFactor;
+      const double unusual = std::log(deviation_db / kUsualDb) / kFactor;
       evidence -= 0.5 * unusual * unusual;
       if (evidence > most) {
         most = evidence;
@@ -236,13 +243,14 @@ AccessPointLikelihood likeliest(const AccessPointBins& heard) {
   return std::move(*best);
 }
 
+/// Nothing if the readings cannot determine a position.
 std::optional<AccessPointLikelihood> likelihoodOf(const std::vector<Sample>& samples,
                                                   std::optional<double> height_m) {
-  AccessPointBins heard = thinned(samples, height_m);
-  if (heard.bins.size() < kFewestBins || spreadOf(heard.bins) < kLeastSpread) {
+  const AccessPointBins access_point = coarseBins(samples, height_m);
+  if (access_point.bins.size() < kFewestBins || signalSpread(access_point.bins) < kLeastSpreadDb) {
     return std::nullopt;
   }
-  return likeliest(heard);
+  return withBestShadowing(access_point);
 }
 
 }  // namespace
@@ -254,7 +262,7 @@ std::optional<AccessPointEstimate> estimateAccessPoint(const std::vector<Sample>
 }
 
 std::optional<AccessPointFit> accessPointFit(const std::vector<Sample>& samples,
-                                             const Position& place,
+                                             const Position& configured,
                                              std::optional<double> height_m) {
   std::optional<AccessPointLikelihood> likelihood = likelihoodOf(samples, height_m);
   const std::optional<AccessPointEstimate> estimate =
@@ -264,10 +272,10 @@ std::optional<AccessPointFit> accessPointFit(const std::vector<Sample>& samples,
   }
   AccessPointFit fit;
   fit.estimate = *estimate;
-  fit.residual_db = likelihood->residualAt(place);
-  fit.log_ratio = std::max(0.0, likelihood->at(estimate->position) - likelihood->at(place));
-  fit.distance_m = (place - estimate->position).norm();
-  fit.suspect = fit.log_ratio > kSuspectRatio && fit.distance_m > kSuspectDistance;
+  fit.residual_db = likelihood->residualAt(configured);
+  fit.log_ratio = std::max(0.0, likelihood->at(estimate->position) - likelihood->at(configured));
+  fit.distance_m = (configured - estimate->position).norm();
+  fit.suspect = fit.log_ratio > kSuspectRatio && fit.distance_m > kSuspectDistanceM;
   return fit;
 }
 

@@ -8,44 +8,45 @@
 
 namespace sfw {
 
-/// Finds an access point from its readings.
+/// Estimates the position of an access point from its readings (doc/method/access_points.md).
 ///
-/// Each position R of a grid is judged by the marginal likelihood of the mean signals of square
-/// bins: power -37 +- 8 dBm at 1 m, exponent 2.1 +- .4, 0.6 +- .6 dB for each metre, as walls come
-/// to on average, and +- 1.6 and 1.4 dB in the first and second harmonics of bearing. How strong
-/// shadowing is and how far it reaches is chosen from 12 ways by the same likelihood. An access
-/// point of unknown height is taken to hang 0.8 m above the antenna. The grid's cells are quartered
-/// where the likelihood is high until they are finer than its peak. The result is mean and
-/// covariance of the likelihood over all cells (doc/method/access_points.md).
+/// The readings are averaged in square bins. Each position of a grid gets the marginal likelihood
+/// of the bins' means, with these priors: power -37 +- 8 dBm at 1 m, exponent 2.1 +- 0.4, walls 0.6
+/// +- 0.6 dB/m, and first and second harmonics of the bearing +- 1.6 and 1.4 dB. The same
+/// likelihood chooses the strength and reach of shadow fading from 12 pairs. An access point of
+/// unknown height is taken to be 0.8 m above the antenna. Grid cells of high likelihood are
+/// quartered twice. The result is the mean and covariance of the likelihood over all cells.
 ///
-/// @param samples   in any order
+/// @param samples   in any order; map frame
 /// @param height_m  of the access point above the floor, if known
-/// @return nothing if the readings do not tell: fewer than 12 bins, signals that are all alike, or
-/// no better than 5 m known on some axis although there is only one place likely.
+/// @return nothing if the readings do not determine a position: fewer than 12 bins, signals that
+/// vary by less than 1 dB, or a standard deviation above 5 m on an axis although only one position
+/// is likely.
 /// Deterministic; the order of samples does not matter. The search reaches 8 m beyond the path.
-/// Cost is bounded: 300 bins and 5700 positions, 91 terms each, at most: 0.1 s.
+/// Cost is bounded by 300 bins and 5700 positions, 91 terms each: 0.1 s.
 std::optional<AccessPointEstimate> estimateAccessPoint(
     const std::vector<Sample>& samples, std::optional<double> height_m = std::nullopt);
 
-/// Compares the place that an access point is said to stand at with what its readings say.
+/// Compares the configured position of an access point with its readings.
 ///
-/// It is suspect if the estimate is farther than 1.5 m and e^6 times likelier. On simulated drives
-/// (8 HouseExpo plans, 24 access points each line), share found suspect:
+/// The access point is suspect if the estimate is farther than 1.5 m and e^6 times more likely.
+/// Share of access points found suspect on simulated drives (8 HouseExpo plans, 24 access points in
+/// each line), by the error of the configured position:
 ///
-/// | noise, path       | right place | 2 m off | 3 m off | 4 m off | 5 m off |
-/// |-------------------|-------------|---------|---------|---------|---------|
-/// | realistic, walls  | 0           | .58     | .75     | .79     | .79     |
-/// | realistic, sparse | 0           | .38     | .67     | .79     | .79     |
-/// | hard, walls       | 0           | .50     | .71     | .79     | .83     |
-/// | hard, sparse      | 0           | .29     | .54     | .75     | .79     |
+/// | noise, path       | 0 m | 2 m | 3 m | 4 m | 5 m |
+/// |-------------------|-----|-----|-----|-----|-----|
+/// | realistic, walls  | 0   | .58 | .75 | .79 | .79 |
+/// | realistic, sparse | 0   | .38 | .67 | .79 | .79 |
+/// | hard, walls       | 0   | .50 | .71 | .79 | .83 |
+/// | hard, sparse      | 0   | .29 | .54 | .75 | .79 |
 ///
-/// None of 11 real ones that stand where they are said to is suspect.
+/// None of 11 real access points with correct positions is suspect.
 ///
-/// @param place  [m], map frame
+/// @param configured  position in the table of access points [m], map frame
 /// @return nothing where estimateAccessPoint returns nothing.
 /// Cost as of estimateAccessPoint.
 std::optional<AccessPointFit> accessPointFit(const std::vector<Sample>& samples,
-                                             const Position& place,
+                                             const Position& configured,
                                              std::optional<double> height_m = std::nullopt);
 
 }  // namespace sfw

@@ -3,7 +3,8 @@
 #include <Eigen/Cholesky>
 #include <cmath>
 #include <utility>
-#include <vector>
+
+#include "radio/path_loss.h"
 
 namespace sfw {
 namespace {
@@ -11,44 +12,35 @@ namespace {
 constexpr int kTerms = AccessPointLikelihood::kTerms;
 using Terms = Eigen::Matrix<double, kTerms, 1>;
 
-constexpr double kUsualClimb = 0.8;  // [m], from antenna to access point where nobody says
+constexpr double kUsualRiseM = 0.8;  // from antenna to access point, where the height is unknown
 
 // These maximise the likelihood of the true positions in simulation (doc/results/ablations.md).
 Terms priorMean() {
-  return (Terms() << kPriorPower, -kPriorExponent, -0.6, 0.0, 0.0, 0.0, 0.0).finished();
+  return (Terms() << kPriorPowerDbm, -kPriorExponent, -0.6, 0.0, 0.0, 0.0, 0.0).finished();
 }
 Terms priorDeviation() { return (Terms() << 8.0, 0.4, 0.6, 1.6, 1.6, 1.4, 1.4).finished(); }
 
-ShadowingModel modelOf(const AccessPointLikelihood::Shadowing& shadowing) {
-  ShadowingModel model;
+SignalCovariance covarianceFor(const AccessPointLikelihood::Shadowing& shadowing) {
+  SignalCovariance model;
   model.shadowing_db = shadowing.deviation_db;
-  model.shadowing_distance = shadowing.distance_m;
-  model.unexplained_db2 = 0.5;
+  model.shadowing_distance_m = shadowing.distance_m;
+  model.nugget_db2 = 0.5;
   return model;
-}
-
-ShadowingWhitener whitenerOf(const AccessPointBins& heard, const ShadowingModel& model) {
-  std::vector<Position> places;
-  std::vector<double> noise;
-  for (const RadioBin& bin : heard.bins) {
-    places.push_back(bin.place);
-    noise.push_back(heard.noise_db2 / bin.readings);
-  }
-  return {places, noise, model};
 }
 
 }  // namespace
 
-AccessPointLikelihood::AccessPointLikelihood(AccessPointBins heard, const Shadowing& shadowing)
-    : heard_(std::move(heard)), whitener_(whitenerOf(heard_, modelOf(shadowing))) {
-  const auto count = static_cast<Eigen::Index>(heard_.bins.size());
+AccessPointLikelihood::AccessPointLikelihood(AccessPointBins access_point,
+                                             const Shadowing& shadowing)
+    : access_point_(std::move(access_point)), whitener_(access_point_, covarianceFor(shadowing)) {
+  const auto count = static_cast<Eigen::Index>(access_point_.bins.size());
   x_.resize(count);
   y_.resize(count);
   signals_.resize(count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    const RadioBin& bin = heard_.bins[static_cast<std::size_t>(i)];
-    x_[i] = bin.place.x();
-    y_[i] = bin.place.y();
+    const RadioBin& bin = access_point_.bins[static_cast<std::size_t>(i)];
+    x_[i] = bin.position.x();
+    y_[i] = bin.position.y();
     signals_[i] = bin.rssi_dbm;
   }
   log_determinant_ = whitener_.logDeterminant();
@@ -56,32 +48,32 @@ AccessPointLikelihood::AccessPointLikelihood(AccessPointBins heard, const Shadow
   white_ones_ = whitener_.whitened(Eigen::VectorXd(Eigen::VectorXd::Ones(count)));
 }
 
-double AccessPointLikelihood::at(const Position& place) const {
-  const Moments moments = momentsAt(place);
+double AccessPointLikelihood::at(const Position& position) const {
+  const Moments moments = momentsAt(position);
   const Eigen::LLT<Information> factor(moments.information);
   const double half_log_determinant = factor.matrixLLT().diagonal().array().log().sum();
   return 0.5 * (moments.pull.dot(factor.solve(moments.pull)) - moments.residual) -
          half_log_determinant + log_determinant_;
 }
 
-double AccessPointLikelihood::residualAt(const Position& place) const {
-  const Moments moments = momentsAt(place);
+double AccessPointLikelihood::residualAt(const Position& position) const {
+  const Moments moments = momentsAt(position);
   const Terms law = priorMean() + priorDeviation().cwiseProduct(
                                       Terms(moments.information.llt().solve(moments.pull)));
-  const Eigen::VectorXd expected = basisAt(place) * law.tail<kTerms - 1>();
+  const Eigen::VectorXd expected = basisAt(position) * law.tail<kTerms - 1>();
   return ((signals_ - expected).array() - law[0]).matrix().norm() /
          std::sqrt(static_cast<double>(signals_.size()));
 }
 
-AccessPointLikelihood::Basis AccessPointLikelihood::basisAt(const Position& place) const {
-  const Eigen::ArrayXd away_x = x_ - place.x();
-  const Eigen::ArrayXd away_y = y_ - place.y();
+AccessPointLikelihood::Basis AccessPointLikelihood::basisAt(const Position& position) const {
+  const Eigen::ArrayXd away_x = x_ - position.x();
+  const Eigen::ArrayXd away_y = y_ - position.y();
   Eigen::ArrayXd squares =
-      spaceDistance(away_x.square() + away_y.square(), heard_.height_m).square();
-  if (!heard_.height_m) {
-    // On the floor alone the distance would pass through 0, and the law would have it that readings
-    // near the access point tell its place to the decimetre.
-    squares += kUsualClimb * kUsualClimb;
+      spaceDistance(away_x.square() + away_y.square(), access_point_.height_m).square();
+  if (!access_point_.height_m) {
+    // Without a rise the distance could be 0, and readings near the access point would determine
+    // its position to the decimetre.
+    squares += kUsualRiseM * kUsualRiseM;
   }
   const Eigen::ArrayXd distance = squares.sqrt();
   const Eigen::ArrayXd way_x = away_x / distance;
@@ -96,8 +88,8 @@ AccessPointLikelihood::Basis AccessPointLikelihood::basisAt(const Position& plac
   return basis;
 }
 
-AccessPointLikelihood::Moments AccessPointLikelihood::momentsAt(const Position& place) const {
-  const Basis white = whitener_.whitened(basisAt(place));
+AccessPointLikelihood::Moments AccessPointLikelihood::momentsAt(const Position& position) const {
+  const Basis white = whitener_.whitened(basisAt(position));
   Eigen::Matrix<double, kTerms + 1, kTerms + 1> products;
   products.setZero();
   for (Eigen::Index i = 0; i < white.rows(); ++i) {

@@ -8,31 +8,32 @@
 
 namespace sfw {
 
-/// How likely the signals of an access point are if it stands at a place, whatever its power, path
-/// loss and pattern (doc/method/access_points.md).
+/// Marginal likelihood of the signals of an access point, given its position, for unknown power,
+/// path loss and antenna pattern (doc/method/access_points.md).
 class AccessPointLikelihood {
  public:
-  /// Power, exponent, loss for each metre, and the first and second harmonic of bearing: an antenna
-  /// that favours one side looks as if it stood nearer to it, and so does one with a wall at its
-  /// back or in a corridor.
+  /// Power, exponent, loss for each metre, and the first and second harmonic of the bearing. The
+  /// harmonics are for access points that send more power to one side: by their antenna, by a wall
+  /// behind them, or by a corridor. Without them the estimate moves to that side.
   static constexpr int kTerms = 7;
 
-  /// What shadows signals where no wall is modelled: how strongly, and how far along.
+  /// Shadow fading by everything that is not modelled, walls included.
   struct Shadowing {
-    double deviation_db;
-    double distance_m;
+    double deviation_db;  ///< standard deviation over positions
+    double distance_m;    ///< its correlation falls to 1/e here
   };
 
-  /// @param heard  its position is not looked at
-  AccessPointLikelihood(AccessPointBins heard, const Shadowing& shadowing);
+  /// @param access_point  its bins and height; its position is not used
+  AccessPointLikelihood(AccessPointBins access_point, const Shadowing& shadowing);
 
-  /// Logarithm, up to a constant that is the same for all places and shadowings. O(bins).
-  double at(const Position& place) const;
+  /// Log likelihood of a position [m], up to a constant that is the same for all positions and
+  /// shadowings. O(bins).
+  double at(const Position& position) const;
 
-  /// Root mean square of the signals to the law fitted for that place [dB].
-  double residualAt(const Position& place) const;
+  /// Root mean square of the signals' residuals to the law fitted for a position [dB].
+  double residualAt(const Position& position) const;
 
-  const AccessPointBins& heard() const { return heard_; }
+  const AccessPointBins& accessPoint() const { return access_point_; }
 
  private:
   using Terms = Eigen::Matrix<double, kTerms, 1>;
@@ -43,18 +44,18 @@ class AccessPointLikelihood {
 
   /// Sums of squares and products of whitened terms and signals, all scaled by the priors.
   struct Moments {
-    Information information;  // of the priors too
-    Terms pull;               // of what the prior mean leaves
-    double residual;          // squared, to the prior mean
+    Information information;  // that of the priors included
+    Terms pull;               // products with the residuals to the prior mean
+    double residual;          // sum of squares of the residuals to the prior mean
   };
 
-  Basis basisAt(const Position& place) const;
-  Moments momentsAt(const Position& place) const;
+  Basis basisAt(const Position& position) const;
+  Moments momentsAt(const Position& position) const;
 
-  AccessPointBins heard_;
+  AccessPointBins access_point_;
   ShadowingWhitener whitener_;
   double log_determinant_ = 0.0;  // of the whitener
-  Eigen::ArrayXd x_, y_;          // of the bins
+  Eigen::ArrayXd x_, y_;          // of the bins [m]
   Eigen::VectorXd signals_;
   Eigen::VectorXd white_ones_;
   Eigen::VectorXd white_signals_;

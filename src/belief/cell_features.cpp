@@ -9,6 +9,7 @@
 #include "grid/axis_rasters.h"
 #include "grid/distance_transform.h"
 #include "grid/morphology.h"
+#include "radio/path_loss.h"
 
 namespace sfw {
 namespace {
@@ -58,12 +59,12 @@ class CellFeatureExtractor {
             [&] { return withHolesFilled(closedWithSquare(path.cells, wholeCells(1.2))); })),
         square_large_(depthOf(
             [&] { return withHolesFilled(closedWithSquare(path.cells, wholeCells(2.4))); })),
-        rays_(rayEvidence(geometry_, heard, walls.ray_loss, stop)),
-        beside_(boxMean(walls.strength, wholeCells(0.2))),
-        ways_(shortestPathsFrom(path.cells, distance_, walls.strength, stop)),
+        rays_(rayEvidence(geometry_, heard, walls.ray_loss_db, stop)),
+        beside_(boxMean(walls.loss_db, wholeCells(0.2))),
+        ways_(shortestPathsFrom(path.cells, distance_, walls.loss_db, stop)),
         alignment_(axisAlignment(geometry_, path.driven, path.max_gap_m)),
         style_(styleOf(path.cells, disc_middle_, path.driven, path.max_gap_m)),
-        explained_(explainedVariance(heard, walls.ray_loss)) {
+        explained_(explainedVariance(heard, walls.ray_loss_db)) {
     Values covered(geometry_);
     for (std::size_t i = 0; i < distance_.cells.size(); ++i) {
       footprint_.cells[i] =
@@ -128,7 +129,7 @@ class CellFeatureExtractor {
     const std::array<float, 4> along = sortedAlong(i);
     const std::size_t source = ways_.source.cells[i];
     const float line_of_sight = seen ? std::exp(-rays_.least_loss.cells[i] / 4.0F) : 0.0F;
-    const float wall_strength = saturating(walls_.strength.cells[i], 1.5F);
+    const float wall_strength = saturating(walls_.loss_db.cells[i], 1.5F);
     const float wall_beside = saturating(beside_.cells[i], 1.5F);
     const float way_around = saturating(std::max(0.0F, ways_.cost.cells[i] - d), 0.5F);
     const auto explained = static_cast<float>(explained_);

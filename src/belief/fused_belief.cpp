@@ -52,14 +52,14 @@ GridGeometry buildingGeometry(const std::vector<Position>& driven,
 
 WallFieldConfig wallFieldConfig(const Config::Tomography& config) {
   WallFieldConfig walls;
-  walls.line.saturation_db = config.max_total_wall_loss_db > 0.0
-                                 ? config.max_total_wall_loss_db
-                                 : std::numeric_limits<double>::infinity();
-  walls.line.sparsity = config.l1_weight;
-  walls.line.straightness = config.smoothness_weight;
-  walls.line.shadowing.unexplained_db2 = config.nugget_db * config.nugget_db;
-  walls.directions = static_cast<int>(config.wall_directions);
-  walls.members = static_cast<int>(config.ensemble_size);
+  walls.line.max_total_wall_loss_db = config.max_total_wall_loss_db > 0.0
+                                          ? config.max_total_wall_loss_db
+                                          : std::numeric_limits<double>::infinity();
+  walls.line.l1_weight = config.l1_weight;
+  walls.line.smoothness_weight = config.smoothness_weight;
+  walls.line.covariance.nugget_db2 = config.nugget_db * config.nugget_db;
+  walls.wall_directions = static_cast<int>(config.wall_directions);
+  walls.ensemble_size = static_cast<int>(config.ensemble_size);
   return walls;
 }
 
@@ -131,8 +131,8 @@ DriveFeatures extractDriveFeatures(const DriveData& drive, const Config& config,
   }
   std::vector<AccessPointBins> heard;
   for (const AccessPointSamples& one : drive.heard) {
-    heard.push_back(binned(one.samples, one.access_point_in_map, one.height_m, frame,
-                           config.tomography.bin_size_m));
+    heard.push_back(binSamples(one.samples, one.access_point_in_map, one.height_m, frame,
+                               config.tomography.bin_size_m));
   }
   const GridGeometry geometry = buildingGeometry(driven, heard, config.map);
   const DrivenPath path = drivenPath(geometry, std::move(driven), config.path);
@@ -165,7 +165,7 @@ FusedBelief inferOccupancyByTomography(const GridGeometry& geometry, const Drive
   for (float& occupied : belief.occupied.cells) {
     occupied = 1.0F - occupied;
   }
-  belief.wall_loss = onMap(geometry, described.walls.strength, described.frame, 0.0F);
+  belief.wall_loss = onMap(geometry, described.walls.loss_db, described.frame, 0.0F);
   belief.sample_loss = sampleLosses(drive, described);
   const Mask path = drivenPath(geometry, drive.path, config.path).cells;
   stampFootprintAndContacts(path, drive.contacts, config.path.footprint_radius_m, belief.occupied);

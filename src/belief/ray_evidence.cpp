@@ -14,7 +14,7 @@ RayEvidence rayEvidence(const GridGeometry& geometry, const std::vector<AccessPo
   for (std::size_t i = 0; i < heard.size(); ++i) {
     for (std::size_t j = 0; j < heard[i].bins.size() && !stop; ++j) {
       const auto loss = static_cast<float>(losses[i][j]);
-      Ray(geometry, heard[i].position, heard[i].bins[j].place).forEachCell([&](Cell c) {
+      Ray(geometry, heard[i].position, heard[i].bins[j].position).forEachCell([&](Cell c) {
         if (!geometry.contains(c)) {
           return;
         }

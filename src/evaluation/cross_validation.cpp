@@ -6,8 +6,10 @@
 #include <utility>
 
 #include "path/building_frame.h"
-#include "radio/nearest_places.h"
+#include "radio/nearest_neighbours.h"
+#include "radio/path_loss.h"
 #include "radio/radio_bins.h"
+#include "radio/shadowing.h"
 
 namespace sfw {
 namespace {
@@ -54,17 +56,15 @@ double meanSquare(double sum, std::size_t count) {
 /// Log-distance law fitted to bins, and what is left of each.
 class Law {
  public:
-  Law(const AccessPointBins& heard, const Bins& bins, const ShadowingModel& model)
-      : heard_(heard), model_(model), places_(placesOf(heard)), nearest_(places_) {
-    std::vector<double> noise;
+  Law(const AccessPointBins& heard, const Bins& bins, const SignalCovariance& model)
+      : heard_(heard), model_(model), positions_(positionsOf(heard)), nearest_(positions_) {
     for (std::size_t i = 0; i < heard.bins.size(); ++i) {
-      noise.push_back(noiseAt(heard.bins[i]));
       nearest_.enter(static_cast<int>(i));
     }
-    const ShadowingWhitener whitener(places_, noise, model);
+    const ShadowingWhitener whitener(heard, model);
     const Eigen::MatrixXd white = whitener.whitened(bins.basis);
-    const Eigen::Vector2d prior(kPriorPower, -kPriorExponent);
-    const Eigen::Vector2d deviation(model.power_db, model.exponent);
+    const Eigen::Vector2d prior(kPriorPowerDbm, -kPriorExponent);
+    const Eigen::Vector2d deviation(model.power_sd_db, model.exponent_sd);
     Eigen::Matrix2d information = white.transpose() * white;
     information.diagonal() += deviation.cwiseAbs2().cwiseInverse();
     law_ = prior + information.llt().solve(white.transpose() *
@@ -89,31 +89,24 @@ class Law {
       residual[i] = residual_[at];
       for (Eigen::Index j = 0; j < size; ++j) {
         const int other = nearest[static_cast<std::size_t>(j)].second;
-        among(i, j) = shared((places_[static_cast<std::size_t>(other)] - bin.place).norm());
+        among(i, j) = shared((positions_[static_cast<std::size_t>(other)] - bin.position).norm());
       }
-      among(i, i) += noiseAt(bin) + model_.unexplained_db2;
+      among(i, i) += noiseAt(bin) + model_.nugget_db2;
     }
     return with.dot(among.llt().solve(residual));
   }
 
  private:
-  static std::vector<Position> placesOf(const AccessPointBins& heard) {
-    std::vector<Position> places;
-    for (const RadioBin& bin : heard.bins) {
-      places.push_back(bin.place);
-    }
-    return places;
-  }
   double noiseAt(const RadioBin& bin) const { return heard_.noise_db2 / bin.readings; }
   double shared(double distance) const {
     return model_.shadowing_db * model_.shadowing_db *
-           std::exp(-distance / model_.shadowing_distance);
+           std::exp(-distance / model_.shadowing_distance_m);
   }
 
   const AccessPointBins& heard_;
-  const ShadowingModel& model_;
-  std::vector<Position> places_;
-  NearestPlaces nearest_;
+  const SignalCovariance& model_;
+  std::vector<Position> positions_;
+  NearestNeighbours nearest_;
   Eigen::Vector2d law_;
   Eigen::VectorXd residual_;
 };
@@ -191,7 +184,8 @@ class Prediction {
         }
       }
       const auto inBins = [&](const std::vector<Sample>& samples) {
-        return binned(samples, access_point.position, access_point.height_m, frame_, config_.bin);
+        return binSamples(samples, access_point.position, access_point.height_m, frame_,
+                          config_.bin);
       };
       Part part{inBins(known), inBins(hidden)};
       if (part.known.bins.size() >= kFewestBins && !part.hidden.bins.empty()) {
@@ -221,11 +215,11 @@ class Prediction {
     for (Eigen::Index i = 0; i < count; ++i) {
       const RadioBin& bin = heard.bins[static_cast<std::size_t>(i)];
       if (field != nullptr) {
-        bins.wall_loss[i] = saturated(lossBetween(*field, heard.position, bin.place),
-                                      config_.walls.line.saturation_db);
+        bins.wall_loss[i] = saturated(lossBetween(*field, heard.position, bin.position),
+                                      config_.walls.line.max_total_wall_loss_db);
       }
       bins.signals[i] = bin.rssi_dbm + bins.wall_loss[i];
-      bins.basis.row(i) << 1.0, logDistance(heard, bin.place);
+      bins.basis.row(i) << 1.0, logDistance(heard, bin.position);
     }
     return bins;
   }
@@ -235,7 +229,8 @@ class Prediction {
     const Bins hidden = describe(part.hidden, field);
     const Eigen::VectorXd error = hidden.signals - law.mean(hidden);
     for (Eigen::Index i = 0; i < error.size(); ++i) {
-      const double shadowing = law.shadowing(part.hidden.bins[static_cast<std::size_t>(i)].place);
+      const double shadowing =
+          law.shadowing(part.hidden.bins[static_cast<std::size_t>(i)].position);
       squares.mean += error[i] * error[i];
       squares.shadowed += (error[i] - shadowing) * (error[i] - shadowing);
     }
@@ -253,12 +248,12 @@ class Prediction {
 }  // namespace
 
 PredictionConfig::PredictionConfig() {
-  walls.members = 4;
-  walls.line.saturation_db = 15.0;
-  walls.line.shadowing.unexplained_db2 = 9.0;
+  walls.ensemble_size = 4;
+  walls.line.max_total_wall_loss_db = 15.0;
+  walls.line.covariance.nugget_db2 = 9.0;
   shadowing.shadowing_db = 3.5;
-  shadowing.shadowing_distance = 1.0;
-  shadowing.unexplained_db2 = 4.0;
+  shadowing.shadowing_distance_m = 1.0;
+  shadowing.nugget_db2 = 4.0;
 }
 
 std::optional<PredictionMetrics> predictHiddenStretches(

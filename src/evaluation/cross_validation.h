@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "radio/shadowing.h"
+#include "radio/signal_covariance.h"
 #include "structure_from_wifi/types.h"
 #include "tomography/wall_field.h"
 
@@ -20,7 +20,7 @@ struct PredictionConfig {
   double bin = 0.2;            ///< edge of the squares whose mean signals are predicted [m]
   double robot_radius = 0.15;  ///< no wall stands closer to the path [m]
   WallFieldConfig walls;
-  ShadowingModel shadowing;  ///< of what neither distance nor walls explain
+  SignalCovariance shadowing;  ///< of what neither distance nor walls explain
 };
 
 /// How far predictions are from the signals on hidden stretches: root mean squares over all bins of

@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "k_visibility/rssi_filter.h"
 #include "k_visibility/sparse_inverse.h"
 #include "k_visibility/wall_count_model.h"
 #include "mapping/map_method.h"

@@ -3,38 +3,42 @@
 #include <algorithm>
 #include <cmath>
 
+#include "radio/radio_bins.h"
+
 namespace sfw {
 namespace {
 
-constexpr double kStretch = 0.25;  // [m] of way
+constexpr double kStretchM = 0.25;  // of driving
 constexpr double kMostStretches = 2000.0;
-constexpr double kReturn = 10.0;  // [m] of way, so that there is time to drift
-constexpr double kHere = 0.3;     // [m]
-constexpr double kNearby = 2.0;   // [m], to kNoFarther: beyond most shadows, yet much the same room
-constexpr double kNoFarther = 3.0;
+constexpr double kReturnM = 10.0;  // of driving between two passes, so that poses can drift
+constexpr double kHereM = 0.3;
+// Farther than most shadow fading reaches, but mostly in the same room.
+constexpr double kNearbyM = 2.0;
+constexpr double kNoFartherM = 3.0;
 
 constexpr std::size_t kFewestReturns = 20;
-constexpr double kLeastChange = 4.0;    // [dB2]
-constexpr double kLargestStep = 15.0;   // [dB]; one outlier must not decide
-constexpr double kSuspectRatio = 0.55;  // chosen on simulated drives (doc/results/ablations.md)
+constexpr double kLeastChangeDb2 = 4.0;
+constexpr double kLargestStepDb = 15.0;  // one outlier must not decide
+constexpr double kSuspectRatio = 0.55;   // chosen on simulated drives (doc/results/ablations.md)
 
-/// A short stretch of way and what was heard on it.
+/// A short stretch of the path with the mean of its readings.
 struct Stretch {
-  Position place = Position::Zero();  // mean [m]
-  double rssi_dbm = 0.0;              // mean
+  Position position = Position::Zero();  // mean [m]
+  double rssi_dbm = 0.0;                 // mean
   double readings = 0.0;
   double driven_m = 0.0;  // until it begins
 };
 
-/// The way driven until each sample [m]. Poses of a robot that stands jitter: that is no way.
-std::vector<double> wayUntil(const std::vector<Sample>& samples) {
-  constexpr double kLeastStep = 0.1;  // [m]
+/// Distance driven until each sample [m]. Steps below 0.1 m are skipped, because the poses of a
+/// standing robot jitter.
+std::vector<double> distanceDriven(const std::vector<Sample>& samples) {
+  constexpr double kLeastStepM = 0.1;
   std::vector<double> way(samples.size(), 0.0);
   std::size_t last = 0;
   for (std::size_t i = 1; i < samples.size(); ++i) {
     const double step = (samples[i].antenna_in_map - samples[last].antenna_in_map).norm();
     way[i] = way[i - 1];
-    if (step >= kLeastStep) {
+    if (step >= kLeastStepM) {
       way[i] += step;
       last = i;
     }
@@ -42,9 +46,9 @@ std::vector<double> wayUntil(const std::vector<Sample>& samples) {
   return way;
 }
 
-std::vector<Stretch> stretchesOf(const std::vector<Sample>& samples) {
-  const std::vector<double> way = wayUntil(samples);
-  const double longest = std::max(kStretch, way.empty() ? 0.0 : way.back() / kMostStretches);
+std::vector<Stretch> cutIntoStretches(const std::vector<Sample>& samples) {
+  const std::vector<double> way = distanceDriven(samples);
+  const double longest = std::max(kStretchM, way.empty() ? 0.0 : way.back() / kMostStretches);
   std::vector<Stretch> stretches;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (stretches.empty() || way[i] >= stretches.back().driven_m + longest) {
@@ -52,7 +56,7 @@ std::vector<Stretch> stretchesOf(const std::vector<Sample>& samples) {
     }
     Stretch& stretch = stretches.back();
     stretch.readings += 1.0;
-    stretch.place += (samples[i].antenna_in_map - stretch.place) / stretch.readings;
+    stretch.position += (samples[i].antenna_in_map - stretch.position) / stretch.readings;
     stretch.rssi_dbm += (samples[i].rssi_dbm - stretch.rssi_dbm) / stretch.readings;
   }
   return stretches;
@@ -69,7 +73,7 @@ struct Mean {
   double value() const { return count > 0.0 ? sum / count : 0.0; }
 };
 
-/// Squared differences between passes, less what noise makes of them [dB2].
+/// Squared differences between passes without the part that noise causes [dB2].
 struct Differences {
   Mean here;
   Mean nearby;
@@ -78,19 +82,19 @@ struct Differences {
 
 void add(const std::vector<Sample>& samples, Differences& differences) {
   const double noise = readingNoise(samples);
-  const std::vector<Stretch> stretches = stretchesOf(samples);
+  const std::vector<Stretch> stretches = cutIntoStretches(samples);
   for (std::size_t i = 0; i < stretches.size(); ++i) {
     const Stretch& later = stretches[i];
     bool returned = false;
     for (std::size_t j = 0; j < i; ++j) {
       const Stretch& earlier = stretches[j];
-      if (later.driven_m - earlier.driven_m < kReturn) {
+      if (later.driven_m - earlier.driven_m < kReturnM) {
         break;
       }
-      const double distance = (later.place - earlier.place).norm();
-      const bool here = distance < kHere;
-      if (here || (distance >= kNearby && distance < kNoFarther)) {
-        const double step = std::min(std::abs(later.rssi_dbm - earlier.rssi_dbm), kLargestStep);
+      const double distance = (later.position - earlier.position).norm();
+      const bool here = distance < kHereM;
+      if (here || (distance >= kNearbyM && distance < kNoFartherM)) {
+        const double step = std::min(std::abs(later.rssi_dbm - earlier.rssi_dbm), kLargestStepDb);
         (here ? differences.here : differences.nearby)
             .add(step * step - noise * (1.0 / later.readings + 1.0 / earlier.readings));
         returned = returned || here;
@@ -104,10 +108,10 @@ void add(const std::vector<Sample>& samples, Differences& differences) {
 
 std::optional<DriftCheck> checkDrift(const std::vector<std::vector<Sample>>& samples) {
   Differences differences;
-  for (const std::vector<Sample>& of_one : samples) {
-    add(of_one, differences);
+  for (const std::vector<Sample>& access_point : samples) {
+    add(access_point, differences);
   }
-  if (differences.returns < kFewestReturns || differences.nearby.value() < kLeastChange) {
+  if (differences.returns < kFewestReturns || differences.nearby.value() < kLeastChangeDb2) {
     return std::nullopt;
   }
   DriftCheck check;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <optional>
 #include <vector>
 
@@ -9,48 +8,43 @@
 
 namespace sfw {
 
-/// Signals of one access point heard at nearly the same place.
+/// The log-distance law ends at this distance; smaller distances count as this one.
+constexpr double kNearFieldM = 0.3;
+
+/// Mean of the readings of one access point within one square of the floor.
 struct RadioBin {
-  Position place = Position::Zero();  ///< their mean [m], building frame
-  double rssi_dbm = 0.0;              ///< their mean
-  double readings = 0.0;              ///< how many
+  Position position = Position::Zero();  ///< mean of the antenna's positions [m], building frame
+  double rssi_dbm = 0.0;                 ///< mean
+  double readings = 0.0;                 ///< how many, at least 1
 };
 
-/// What is heard of one access point, thinned to what inference can tell apart.
+/// All bins of one access point.
 struct AccessPointBins {
-  Position position = Position::Zero();  ///< [m], building frame
-  std::optional<double> height_m;        ///< above the floor
-  double noise_db2 = 0.0;                ///< variance of one reading at one place
+  Position position = Position::Zero();  ///< of the access point [m], building frame
+  std::optional<double> height_m;        ///< of the access point above the floor
+  double noise_db2 = 0.0;                ///< variance of one reading at one position
   std::vector<RadioBin> bins;
 };
 
-/// Puts the readings of one access point into square bins of `bin_m`, in row-major order.
+/// Averages the readings of one access point in squares of edge `bin_size_m`.
 ///
-/// Bins closer than 0.3 m to the access point are left out: there the log-distance law ends. The
-/// noise of a reading is half the mean square of successive differences, each cut at 12 dB.
-/// @param samples  in the order heard
-AccessPointBins binned(const std::vector<Sample>& samples, const Position& access_point_in_map,
-                       std::optional<double> height_m, const BuildingFrame& frame, double bin_m);
+/// Bins closer than kNearFieldM to the access point are dropped.
+/// @param samples  by time
+/// @param frame    its axes are those of the squares
+/// @return the bins in row-major order; their noise is readingNoise(samples).
+AccessPointBins binSamples(const std::vector<Sample>& samples, const Position& access_point_in_map,
+                           std::optional<double> height_m, const BuildingFrame& frame,
+                           double bin_size_m);
 
-/// Variance of one reading at one place [dB2]: half the mean square of successive differences, each
-/// cut at 12 dB; at least 0.3 dB squared.
-/// @param samples  of one access point, in the order heard
+/// Variance of one reading at one position [dB2]: half the mean square of successive differences,
+/// each cut at 12 dB; at least 0.09 dB2.
+/// @param samples  of one access point, by time
 double readingNoise(const std::vector<Sample>& samples);
 
-/// Distances in space [m], given the squares of those on the floor [m2]: at least 0.3 m, and with
-/// the antenna 0.6 m above the floor where the access point's height is known.
-Eigen::ArrayXd spaceDistance(const Eigen::ArrayXd& squares_m2, std::optional<double> height_m);
+/// Positions of the bins [m], building frame, in their order.
+std::vector<Position> positionsOf(const AccessPointBins& access_point);
 
-/// 10 log10 of the distance in space in metres, at least 0.3 m: what the path loss exponent is
-/// multiplied by. The antenna rides 0.6 m above the floor where the access point's height is known.
-double logDistance(const AccessPointBins& access_point, const Position& place);
-
-/// How far walls explain what distance does not: one minus the variance of the signals around a
-/// log-distance law with the walls' losses given back, over the variance without; 0 to 1. Its
-/// complement is all that is neither: noise, furniture, a wrong place of an access point.
-/// @param ray_loss  of each bin of each access point [dB]; access points of fewer than ten bins are
-///                  left out
-double explainedVariance(const std::vector<AccessPointBins>& heard,
-                         const std::vector<std::vector<double>>& ray_loss);
+/// Variance of each bin's mean that comes from the noise of single readings [dB2].
+std::vector<double> noiseOfMeans(const AccessPointBins& access_point);
 
 }  // namespace sfw

@@ -5,6 +5,8 @@
 #include <cstdint>
 
 #include "grid/for_each_cell.h"
+#include "radio/path_loss.h"
+#include "radio/shadowing.h"
 #include "tomography/line_rays.h"
 
 namespace sfw {
@@ -13,7 +15,7 @@ namespace {
 /// Changes along a wall are penalised by their size above this, quadratically below [dB].
 constexpr double kSoftChange = 0.3;
 
-/// Reweighting between the rounds: cells with strong neighbours get cheaper, lonely ones dearer.
+/// Reweighting between the rounds: the L1 weight falls beside strong walls and rises elsewhere.
 constexpr std::int64_t kReweightAlong = 2;   // cells on each side
 constexpr std::int64_t kReweightAcross = 1;  // cells on each side
 constexpr float kReweightGain = 3.0F;
@@ -24,34 +26,25 @@ constexpr int kPowerIterations = 15;
 
 using Vector = Eigen::VectorXf;
 
-/// What is heard of one access point: its share of all rays, and how far their signals agree.
-struct Heard {
+/// The rays of one access point among all rays, and the inverse covariance of their signals.
+struct AccessPointRays {
   Eigen::Index first_ray;
   Eigen::Index rays;
   SignalPrecisionF precision;
 };
 
-SignalPrecisionF precisionOf(const AccessPointBins& heard, const ShadowingModel& model) {
-  std::vector<Position> places;
-  std::vector<double> noise;
-  std::vector<double> loss;
-  for (const RadioBin& bin : heard.bins) {
-    places.push_back(bin.place);
-    noise.push_back(heard.noise_db2 / bin.readings);
-    loss.push_back(logDistance(heard, bin.place));
-  }
-  return SignalPrecisionF(SignalPrecision(places, noise, loss, model));
-}
-
 class Solver {
  public:
-  Solver(const std::vector<LineLattice>& lattices, const std::vector<AccessPointBins>& heard,
-         const std::vector<Mask>& driven, const LineFieldConfig& config,
-         const std::atomic<bool>& stop)
-      : config_(config), stop_(stop), lattices_(lattices), rays_(lattices, heard, driven, stop) {
-    hear(heard);
+  Solver(const std::vector<LineLattice>& lattices,
+         const std::vector<AccessPointBins>& access_points, const std::vector<Mask>& driven,
+         const LineFieldConfig& config, const std::atomic<bool>& stop)
+      : config_(config),
+        stop_(stop),
+        lattices_(lattices),
+        rays_(lattices, access_points, driven, stop) {
+    enter(access_points);
     const auto count = static_cast<Eigen::Index>(rays_.unknowns().size());
-    continued_ = static_cast<float>(config.straightness) * rays_.unknowns().continued();
+    continued_ = static_cast<float>(config.smoothness_weight) * rays_.unknowns().continued();
     loss_ = Vector::Zero(count);
     weight_ = Vector::Ones(count);
   }
@@ -67,55 +60,55 @@ class Solver {
   }
 
  private:
-  void hear(const std::vector<AccessPointBins>& heard) {
-    unexplained_.resize(static_cast<Eigen::Index>(rays_.size()));
+  void enter(const std::vector<AccessPointBins>& access_points) {
+    excess_.resize(static_cast<Eigen::Index>(rays_.size()));
     Eigen::Index ray = 0;
-    for (const AccessPointBins& one : heard) {
+    for (const AccessPointBins& one : access_points) {
       if (stop_) {
         return;
       }
-      heard_.push_back(
-          {ray, static_cast<Eigen::Index>(one.bins.size()), precisionOf(one, config_.shadowing)});
+      access_points_.push_back({ray, static_cast<Eigen::Index>(one.bins.size()),
+                                SignalPrecisionF(SignalPrecision(one, config_.covariance))});
       for (const RadioBin& bin : one.bins) {
-        const double expected = kPriorPower - kPriorExponent * logDistance(one, bin.place);
-        unexplained_[ray++] = static_cast<float>(bin.rssi_dbm - expected);
+        const double expected = kPriorPowerDbm - kPriorExponent * logDistance(one, bin.position);
+        excess_[ray++] = static_cast<float>(bin.rssi_dbm - expected);
       }
     }
   }
 
-  bool saturates() const { return std::isfinite(config_.saturation_db); }
+  bool lossesAreLimited() const { return std::isfinite(config_.max_total_wall_loss_db); }
 
-  /// What signals have less than expected, given the sums of losses on their rays.
+  /// Residuals of the signals, given the sums of losses on their rays [dB].
   Vector residualOf(const Vector& sums) const {
-    if (!saturates()) {
-      return unexplained_ + sums;
+    if (!lossesAreLimited()) {
+      return excess_ + sums;
     }
-    const auto s = static_cast<float>(config_.saturation_db);
-    return unexplained_.array() + s * (1.0F - (-sums.array() / s).exp());
+    const auto s = static_cast<float>(config_.max_total_wall_loss_db);
+    return excess_.array() + s * (1.0F - (-sums.array() / s).exp());
   }
 
   /// Sets `pull` to Q r.
-  void weigh(const Vector& residual, Vector& pull) const {
+  void applyPrecision(const Vector& residual, Vector& pull) const {
     pull.resize(residual.size());
-    for (const Heard& one : heard_) {
+    for (const AccessPointRays& one : access_points_) {
       one.precision.times(residual.segment(one.first_ray, one.rays),
                           pull.segment(one.first_ray, one.rays));
     }
   }
 
-  /// Sets `gradient_` to the derivative of the objective but for the sparsity term.
+  /// Sets `gradient_` to the derivative of the objective without the L1 term.
   void differentiateAt(const Vector& x) {
     rays_.along(x, sums_);
-    weigh(residualOf(sums_), pull_);
-    if (saturates()) {
-      pull_.array() *= (-sums_.array() / static_cast<float>(config_.saturation_db)).exp();
+    applyPrecision(residualOf(sums_), pull_);
+    if (lossesAreLimited()) {
+      pull_.array() *= (-sums_.array() / static_cast<float>(config_.max_total_wall_loss_db)).exp();
     }
     rays_.spread(pull_, gradient_);
-    addStraightness(x);
+    addSmoothness(x);
   }
 
-  /// Pulls unknowns together that follow each other along a wall.
-  void addStraightness(const Vector& x) {
+  /// Adds the derivative of the penalty for changes along a wall.
+  void addSmoothness(const Vector& x) {
     const Eigen::Index pairs = continued_.size();
     constexpr auto kSoft = static_cast<float>(kSoftChange * kSoftChange);
     change_ = x.tail(pairs) - x.head(pairs);
@@ -130,17 +123,17 @@ class Solver {
     float largest = 0.0F;
     for (int i = 0; i < kPowerIterations && !stop_; ++i) {
       rays_.along(x, sums_);
-      weigh(sums_, pull_);
+      applyPrecision(sums_, pull_);
       rays_.spread(pull_, gradient_);
       largest = gradient_.norm() / std::max(x.norm(), 1e-12F);
       x = gradient_ / std::max(gradient_.norm(), 1e-12F);
     }
-    return 1.05F * largest + static_cast<float>(4.0 * config_.straightness / kSoftChange);
+    return 1.05F * largest + static_cast<float>(4.0 * config_.smoothness_weight / kSoftChange);
   }
 
   void iterate(float bound) {
     const float step = 1.0F / bound;
-    const Vector threshold = static_cast<float>(config_.sparsity) * step * weight_;
+    const Vector threshold = static_cast<float>(config_.l1_weight) * step * weight_;
     Vector ahead = loss_;
     Vector moved;
     double momentum = 1.0;
@@ -154,19 +147,19 @@ class Solver {
     }
   }
 
-  /// The losses along a direction.
+  /// The losses of the walls in one direction.
   template <class Field>
   static auto& gridOf(Field& field, const Unknowns::Direction& direction) {
-    return direction.across_x ? field[direction.lattice].across_x
-                              : field[direction.lattice].across_y;
+    return direction.walls_along_y ? field[direction.lattice].walls_along_y
+                                   : field[direction.lattice].walls_along_x;
   }
 
   void reweight() {
     const LineField found = field();
     rays_.unknowns().forEach([&](Eigen::Index i, const Unknowns::Direction& direction, Cell c) {
       const Grid<float>& loss = gridOf(found, direction);
-      const std::int64_t reach_x = direction.across_x ? kReweightAcross : kReweightAlong;
-      const std::int64_t reach_y = direction.across_x ? kReweightAlong : kReweightAcross;
+      const std::int64_t reach_x = direction.walls_along_y ? kReweightAcross : kReweightAlong;
+      const std::int64_t reach_y = direction.walls_along_y ? kReweightAlong : kReweightAcross;
       float sum = 0.0F;
       forEachCell({c.x - reach_x, c.y - reach_y}, {c.x + reach_x, c.y + reach_y},
                   [&](Cell at) { sum += loss.geometry.contains(at) ? loss[at] : 0.0F; });
@@ -189,29 +182,31 @@ class Solver {
   const std::atomic<bool>& stop_;
   const std::vector<LineLattice>& lattices_;
   Rays rays_;
-  std::vector<Heard> heard_;
-  Vector unexplained_;        // signals less those expected without walls [dB], by ray
-  Eigen::ArrayXf continued_;  // straightness between an unknown and the next; 0 if it goes not on
+  std::vector<AccessPointRays> access_points_;
+  Vector excess_;             // signals over those expected without walls [dB], by ray
+  Eigen::ArrayXf continued_;  // weight of the change to the next unknown; 0 at the end of a wall
   Vector loss_;
   Vector weight_;
-  Vector sums_, pull_, gradient_;  // kept for their memory alone, as is this:
+  Vector sums_, pull_, gradient_;  // only their memory is kept from call to call, as for this:
   Eigen::ArrayXf change_;
 };
 
 }  // namespace
 
 LineField solveLineField(const std::vector<LineLattice>& lattices,
-                         const std::vector<AccessPointBins>& heard, const std::vector<Mask>& driven,
-                         const LineFieldConfig& config, const std::atomic<bool>& stop) {
-  return Solver(lattices, heard, driven, config, stop).solve();
+                         const std::vector<AccessPointBins>& access_points,
+                         const std::vector<Mask>& driven, const LineFieldConfig& config,
+                         const std::atomic<bool>& stop) {
+  return Solver(lattices, access_points, driven, config, stop).solve();
 }
 
 double lossBetween(const LineField& field, const Position& from, const Position& to) {
   double sum = 0.0;
   for (const LatticeLoss& loss : field) {
     forEachLine(loss.lattice.geometry, loss.lattice.toLattice(from), loss.lattice.toLattice(to),
-                [&](bool across_x, Cell cell) {
-                  sum += static_cast<double>((across_x ? loss.across_x : loss.across_y)[cell]);
+                [&](bool walls_along_y, Cell cell) {
+                  sum += static_cast<double>(
+                      (walls_along_y ? loss.walls_along_y : loss.walls_along_x)[cell]);
                 });
   }
   return sum;

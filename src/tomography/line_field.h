@@ -9,79 +9,84 @@
 
 #include "grid/mask.h"
 #include "radio/radio_bins.h"
-#include "radio/shadowing.h"
+#include "radio/signal_covariance.h"
 #include "structure_from_wifi/grid_geometry.h"
 
 namespace sfw {
 
 /// Settings of line-field tomography (doc/method/walls.md).
 struct LineFieldConfig {
-  ShadowingModel shadowing;
-  double saturation_db = 15.0;  ///< losses of all walls together stay below; infinity: they add up
-  double sparsity = 0.03;       ///< weight of the sum of all losses
-  double straightness = 8.0;    ///< weight of changes along a wall
-  int iterations = 60;          ///< of each of the two rounds; few: stopping early smooths
+  SignalCovariance covariance;           ///< of the bins' mean signals
+  double max_total_wall_loss_db = 15.0;  ///< limit of the loss on a ray; infinity: losses add up
+  double l1_weight = 0.03;               ///< weight of the sum of all losses
+  double smoothness_weight = 8.0;        ///< weight of changes along a wall
+  int iterations = 60;                   ///< in each of the two rounds; few iterations smooth
 };
 
-/// Where walls may stand that lie in two directions at right angles: on the middle lines of the
-/// cells of a grid that is turned against the building's axes.
+/// A grid whose cells' middle lines are the possible walls of two directions at right angles.
 struct LineLattice {
   GridGeometry geometry;
   double yaw_rad = 0.0;  ///< of the grid's x axis in the building frame
 
-  /// Coordinates along the lattice's axes: a rotation about the origin.
+  /// Rotates a point [m] about the frame's origin to the lattice's axes.
   Position toLattice(const Position& in_building) const {
     return Eigen::Rotation2Dd(-yaw_rad) * in_building;
   }
+
+  /// The inverse of toLattice.
   Position toBuilding(const Position& in_lattice) const {
     return Eigen::Rotation2Dd(yaw_rad) * in_lattice;
   }
 };
 
-/// How much signal each piece of wall on a lattice takes away.
+/// Signal loss of each piece of wall on a lattice.
 struct LatticeLoss {
+  /// All losses are 0.
   explicit LatticeLoss(const LineLattice& of)
-      : lattice(of), across_x(of.geometry), across_y(of.geometry) {}
+      : lattice(of), walls_along_y(of.geometry), walls_along_x(of.geometry) {}
 
   LineLattice lattice;
 
-  /// Loss [dB] of a wall through the middle of each cell, along y (`across_x`: rays that run along
-  /// x cross it) or along x (`across_y`); 0 where no ray crosses or the robot has been.
-  Grid<float> across_x;
-  Grid<float> across_y;
+  /// Losses [dB] of walls through the middle of each cell; 0 where no ray crosses the wall or the
+  /// robot has been.
+  Grid<float> walls_along_y;  ///< rays along x cross them
+  Grid<float> walls_along_x;  ///< rays along y cross them
 };
 
-/// Walls in all directions: a ray loses what it loses on each lattice.
+/// Walls in all directions: the loss of a ray is the sum of its losses on each lattice.
 using LineField = std::vector<LatticeLoss>;
 
-/// Calls `visit(across_x, Cell)` for each piece of wall that could stand between two points: the
-/// cells whose middle lines the segment crosses strictly between its ends, those of columns
-/// (`across_x` true) first. The order is that from low to high coordinates, whichever end is first.
-/// @param from,to  in the geometry's own axes, finite, in the grid or not
+/// Calls `visit(walls_along_y, Cell)` for each possible piece of wall between two points.
+///
+/// These are the cells whose middle lines the segment crosses strictly between its ends. Walls
+/// along y come first. The order runs from low to high coordinates, whichever end is first.
+/// @param from,to  [m], in the geometry's own axes, finite, in the grid or not
 /// O(lines of the grid crossed).
 template <class Visitor>
 void forEachLine(const GridGeometry& geometry, const Position& from, const Position& to,
                  Visitor&& visit);
 
-/// Sum of the losses between two points of the building frame, before saturation [dB].
+/// Sum of the losses between two points [m] of the building frame, without the limit of
+/// max_total_wall_loss_db [dB]. O(lines crossed, over all lattices).
 double lossBetween(const LineField& field, const Position& from, const Position& to);
 
-/// Line-field tomography: walls from all readings of all access points at once.
+/// Line-field tomography: estimates the walls from all readings of all access points at once.
 ///
-/// Minimises 1/2 r' Q r + sparsity sum w x + straightness sum sqrt(D^2 + 0.09) over x >= 0, where r
-/// is the signal less log-distance path loss and saturated wall losses, Q the inverse covariance of
-/// shadowing, noise and unknown power and exponent (SignalPrecision), and D the change from cell to
-/// cell along a wall: walls are few, long and straight. FISTA (Beck and Teboulle 2009), then again
-/// with w small where walls were found. Convex without saturation; deterministic.
+/// Minimises 1/2 r' Q r + l1_weight sum w x + smoothness_weight sum sqrt(D^2 + 0.09) over losses
+/// x >= 0 [dB]. Here r is the signal without log-distance path loss and (limited) wall losses, Q is
+/// the inverse of SignalCovariance, and D is the change from cell to cell along a wall: walls are
+/// few, long and straight. FISTA (Beck and Teboulle 2009) runs with w = 1, then again with w small
+/// where walls were found. Convex if losses add up; deterministic.
 ///
-/// @param lattices  of the result; walls may stand on all of them
-/// @param heard     building frame
-/// @param driven    for each lattice, the cells that the robot covered: no wall stands there
-/// @param stop      polled; when it turns true the result is incomplete
+/// @param lattices       of the result; walls may stand on all of them
+/// @param access_points  with their bins, building frame
+/// @param driven         for each lattice, the cells that the robot covered: no wall stands there
+/// @param stop           polled; when it turns true the result is incomplete
 /// O(iterations x (bins + crossings of rays with the lattices' lines)).
 LineField solveLineField(const std::vector<LineLattice>& lattices,
-                         const std::vector<AccessPointBins>& heard, const std::vector<Mask>& driven,
-                         const LineFieldConfig& config, const std::atomic<bool>& stop);
+                         const std::vector<AccessPointBins>& access_points,
+                         const std::vector<Mask>& driven, const LineFieldConfig& config,
+                         const std::atomic<bool>& stop);
 
 template <class Visitor>
 void forEachLine(const GridGeometry& geometry, const Position& from, const Position& to,

@@ -29,8 +29,8 @@ void Unknowns::number() {
 Eigen::ArrayXf Unknowns::continued() const {
   const std::size_t pairs = std::max<std::size_t>(slots_.size(), 1) - 1;
   Eigen::ArrayXf continued = Eigen::ArrayXf::Zero(static_cast<Eigen::Index>(pairs));
-  forEachSlot([&](std::size_t i, const Block& block, std::int64_t place) {
-    const bool line_ends = (place + 1) % block.along == 0;
+  forEachSlot([&](std::size_t i, const Block& block, std::int64_t offset) {
+    const bool line_ends = (offset + 1) % block.along == 0;
     if (i < pairs && !line_ends && slots_[i + 1] == slots_[i] + 1) {
       continued[static_cast<Eigen::Index>(i)] = 1.0F;
     }
@@ -38,11 +38,12 @@ Eigen::ArrayXf Unknowns::continued() const {
   return continued;
 }
 
-Rays::Rays(const std::vector<LineLattice>& lattices, const std::vector<AccessPointBins>& heard,
-           const std::vector<Mask>& driven, const std::atomic<bool>& stop)
+Rays::Rays(const std::vector<LineLattice>& lattices,
+           const std::vector<AccessPointBins>& access_points, const std::vector<Mask>& driven,
+           const std::atomic<bool>& stop)
     : unknowns_(lattices) {
   SparseSums::Choice crossed;  // slots by ray
-  for (const AccessPointBins& one : heard) {
+  for (const AccessPointBins& one : access_points) {
     for (const RadioBin& bin : one.bins) {
       if (stop) {
         return;
@@ -50,9 +51,9 @@ Rays::Rays(const std::vector<LineLattice>& lattices, const std::vector<AccessPoi
       const auto ray = static_cast<std::int32_t>(size_++);
       for (std::size_t i = 0; i < lattices.size(); ++i) {
         forEachLine(lattices[i].geometry, lattices[i].toLattice(one.position),
-                    lattices[i].toLattice(bin.place), [&](bool across_x, Cell cell) {
+                    lattices[i].toLattice(bin.position), [&](bool walls_along_y, Cell cell) {
                       if (driven[i][cell] == 0) {
-                        const std::int32_t slot = unknowns_.slot({i, across_x}, cell);
+                        const std::int32_t slot = unknowns_.slot({i, walls_along_y}, cell);
                         unknowns_.add(slot);
                         crossed.sum.push_back(ray);
                         crossed.term.push_back(slot);

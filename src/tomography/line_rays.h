@@ -11,34 +11,35 @@
 
 namespace sfw {
 
-/// The unknowns: pieces of wall that some ray crosses and that stand where no robot was.
+/// Numbers the unknowns: the pieces of wall that a ray crosses outside the robot's path.
 ///
-/// Numbered wall line by wall line, so what continues a piece has the next number, and nothing that
-/// is done to neighbours along a wall has to look them up.
+/// Numbers run along one wall line after another. So the next piece of a wall has the next number,
+/// and no search for neighbours along a wall is needed.
 class Unknowns {
  public:
   /// One of the directions that walls may have.
   struct Direction {
-    std::size_t lattice;  ///< which
-    bool across_x;        ///< walls along the lattice's y axis, otherwise along x
+    std::size_t lattice;  ///< index
+    bool walls_along_y;   ///< along the lattice's y axis, otherwise along x
   };
 
+  /// No piece is an unknown yet.
   explicit Unknowns(const std::vector<LineLattice>& lattices);
 
   static constexpr std::int32_t kNone = -1;
 
-  /// Place of a piece among all that the lattices could have, along its wall line.
+  /// Number of a piece among all pieces of all lattices, unknown or not.
   std::int32_t slot(const Direction& direction, Cell cell) const {
-    const Block& block = blocks_[2 * direction.lattice + (direction.across_x ? 0 : 1)];
-    return static_cast<std::int32_t>(block.first + (direction.across_x
+    const Block& block = blocks_[2 * direction.lattice + (direction.walls_along_y ? 0 : 1)];
+    return static_cast<std::int32_t>(block.first + (direction.walls_along_y
                                                         ? cell.x * block.along + cell.y
                                                         : cell.y * block.along + cell.x));
   }
 
-  /// Makes a slot's piece an unknown.
+  /// Makes the piece in a slot an unknown.
   void add(std::int32_t slot) { number_[static_cast<std::size_t>(slot)] = 0; }
 
-  /// Gives all unknowns their numbers, once all are added.
+  /// Numbers all unknowns. Call it once, after the last add().
   void number();
 
   std::size_t size() const { return slots_.size(); }
@@ -62,7 +63,7 @@ class Unknowns {
     std::int64_t end;    // slot behind the last
   };
 
-  /// Calls `visit(number, Block, place in the block)` for each unknown, in their order.
+  /// Calls `visit(number, Block, slot within the block)` for each unknown, in their order.
   template <class Visitor>
   void forEachSlot(Visitor&& visit) const;
 
@@ -71,23 +72,25 @@ class Unknowns {
   std::vector<std::int32_t> slots_;   // by number
 };
 
-/// All access points' rays, one after another, and the unknowns that each of them crosses.
+/// The rays from all access points to their bins, and the unknowns that each ray crosses.
 class Rays {
  public:
   /// @param driven  for each lattice, the cells where no wall can stand
   /// @param stop    polled; when it turns true there are no unknowns
-  Rays(const std::vector<LineLattice>& lattices, const std::vector<AccessPointBins>& heard,
+  Rays(const std::vector<LineLattice>& lattices, const std::vector<AccessPointBins>& access_points,
        const std::vector<Mask>& driven, const std::atomic<bool>& stop);
 
   const Unknowns& unknowns() const { return unknowns_; }
 
-  /// How many rays there are.
+  /// Number of rays: all bins of the first access point, then those of the next.
   std::size_t size() const { return size_; }
 
-  /// Sets `sums` to those of `x` over the unknowns that each ray crosses.
+  /// Sums `x` over the unknowns that each ray crosses.
+  /// @param sums  set to one value for each ray
   void along(const Eigen::VectorXf& x, Eigen::VectorXf& sums) const { along_.of(x, sums); }
 
-  /// Sets `sums` to those of `values` over the rays that cross each unknown.
+  /// Sums `values` over the rays that cross each unknown.
+  /// @param sums  set to one value for each unknown
   void spread(const Eigen::VectorXf& values, Eigen::VectorXf& sums) const {
     spread_.of(values, sums);
   }
@@ -112,11 +115,11 @@ void Unknowns::forEachSlot(Visitor&& visit) const {
 
 template <class Visitor>
 void Unknowns::forEach(Visitor&& visit) const {
-  forEachSlot([&](std::size_t i, const Block& block, std::int64_t place) {
-    const std::int64_t line = place / block.along;
-    const std::int64_t along = place % block.along;
+  forEachSlot([&](std::size_t i, const Block& block, std::int64_t offset) {
+    const std::int64_t line = offset / block.along;
+    const std::int64_t along = offset % block.along;
     visit(static_cast<Eigen::Index>(i), block.direction,
-          block.direction.across_x ? Cell{line, along} : Cell{along, line});
+          block.direction.walls_along_y ? Cell{line, along} : Cell{along, line});
   });
 }
 

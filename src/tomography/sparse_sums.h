@@ -8,38 +8,41 @@
 
 namespace sfw {
 
-/// Sums of chosen terms, for many sums over the same terms again and again: a product with a sparse
-/// matrix of ones.
+/// Product with a sparse matrix of zeros and ones: each result is the sum of some of the terms.
 ///
-/// Made for speed: short numbers halve the memory to pass through, and sums of as many terms come
-/// one after another, as loops of a new length each time take processors twice as long.
+/// Made for many products with one matrix. Indices of 16 bits halve the memory traffic. Sums of
+/// equally many terms are stored together, because loops of unpredictable length take twice as long
+/// (doc/results/own_code.md).
 class SparseSums {
  public:
-  /// That terms[i] is one of those of sum sums[i]; in this order they are added up.
+  /// The ones of the matrix: term[i] is added to sum[i], in this order.
   struct Choice {
     std::vector<std::int32_t> sum;   ///< in [0, sums)
     std::vector<std::int32_t> term;  ///< in [0, terms)
   };
 
+  /// No sums.
   SparseSums() = default;
+
+  /// @param sums,terms  rows and columns of the matrix
   SparseSums(std::size_t sums, std::size_t terms, const Choice& choice);
 
-  /// The same choice with sums and terms exchanged: the transposed matrix.
+  /// The transposed matrix.
   static Choice transposed(Choice choice) {
     return {std::move(choice.term), std::move(choice.sum)};
   }
 
-  /// Sets `sums` to those of `terms`. O(choices).
+  /// Sets `sums` to the product of the matrix with `terms`. O(ones).
   void of(const Eigen::VectorXf& terms, Eigen::VectorXf& sums) const;
 
  private:
-  /// Few enough terms that a short number tells them apart.
+  /// The part of the matrix for at most 65536 terms, as many as 16 bits can number.
   struct Block {
     struct Sum {
       std::uint32_t number;
       std::uint32_t terms;
     };
-    std::vector<Sum> sums;             // with any terms in the block, by how many
+    std::vector<Sum> sums;             // those with terms in the block, by number of terms
     std::vector<std::uint16_t> terms;  // of one sum after another, counted from the block's first
   };
 

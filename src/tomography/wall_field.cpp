@@ -13,12 +13,12 @@
 namespace sfw {
 namespace {
 
-/// A robot keeps away from walls: next to its footprint a wall is unlikely, over this distance it
-/// becomes as likely as anywhere [m].
-constexpr double kWallClearanceScale = 0.2;
+/// A robot keeps away from walls. So a wall is unlikely next to the robot's footprint, and becomes
+/// as likely as anywhere else over this distance.
+constexpr double kWallClearanceScaleM = 0.2;
 
-/// Fraction of the whole numbers' reversed digits in a base (van der Corput 1935): shifts that
-/// fill [0, 1) evenly however many there are.
+/// The number with its digits in a base mirrored about the point (van der Corput 1935): shifts that
+/// fill [0, 1) evenly, however many there are.
 double vanDerCorput(int number, int base) {
   double value = 0.0;
   double digit = 1.0 / base;
@@ -29,13 +29,13 @@ double vanDerCorput(int number, int base) {
 }
 
 /// A member's lattices: each covers the result's grid, shifted by part of a cell.
-std::vector<LineLattice> latticesOf(int member, const GridGeometry& geometry,
-                                    const WallFieldConfig& config) {
-  const double resolution = config.line_resolution;
+std::vector<LineLattice> shiftedLattices(int member, const GridGeometry& geometry,
+                                         const WallFieldConfig& config) {
+  const double resolution = config.line_resolution_m;
   const Position offset(vanDerCorput(member, 2) * resolution, vanDerCorput(member, 3) * resolution);
   std::vector<LineLattice> lattices;
-  for (int i = 0; i < config.directions / 2; ++i) {
-    LineLattice lattice{geometry, i * kPi / config.directions};
+  for (int i = 0; i < config.wall_directions / 2; ++i) {
+    LineLattice lattice{geometry, i * kPi / config.wall_directions};
     Box box;
     for (const auto corner : {Box::BottomLeft, Box::BottomRight, Box::TopLeft, Box::TopRight}) {
       box.extend(lattice.toLattice(geometry.box().corner(corner)));
@@ -50,51 +50,54 @@ std::vector<LineLattice> latticesOf(int member, const GridGeometry& geometry,
   return lattices;
 }
 
-/// The bins that a member hears; all if it is the only one.
-std::vector<AccessPointBins> heardBy(int member, const std::vector<AccessPointBins>& heard,
-                                     const WallFieldConfig& config) {
-  std::vector<AccessPointBins> part = heard;
-  if (config.members < 2) {
+/// The bins that a member uses; all if it is the only member.
+std::vector<AccessPointBins> subsample(int member,
+                                       const std::vector<AccessPointBins>& access_points,
+                                       const WallFieldConfig& config) {
+  std::vector<AccessPointBins> part = access_points;
+  if (config.ensemble_size < 2) {
     return part;
   }
   for (std::size_t i = 0; i < part.size(); ++i) {
     Random random(member, streamOf(Purpose::kLeftOutBins, i), 0);
     std::vector<RadioBin>& bins = part[i].bins;
-    bins.erase(std::remove_if(bins.begin(), bins.end(),
-                              [&](const RadioBin&) { return random.uniform() <= config.left_out; }),
+    bins.erase(std::remove_if(
+                   bins.begin(), bins.end(),
+                   [&](const RadioBin&) { return random.uniform() <= config.holdout_fraction; }),
                bins.end());
   }
   return part;
 }
 
-/// Cells of a lattice whose middles are no farther from the path.
-Mask coveredOn(const LineLattice& lattice, const Grid<double>& distance, double radius) {
+/// Cells of a lattice whose centres lie within the robot's radius of the path.
+Mask coveredOn(const LineLattice& lattice, const Grid<double>& distance, double radius_m) {
   Mask driven(lattice.geometry);
   const GridGeometry& fine = distance.geometry;
   for (std::size_t i = 0; i < driven.cells.size(); ++i) {
     const Position centre = lattice.geometry.centre(lattice.geometry.cell(i));
     const Cell at = fine.cellAt(lattice.toBuilding(centre));
-    driven.cells[i] = fine.contains(at) && distance[at] * fine.resolution() <= radius ? 1 : 0;
+    driven.cells[i] = fine.contains(at) && distance[at] * fine.resolution() <= radius_m ? 1 : 0;
   }
   return driven;
 }
 
+/// Adds a member's losses at the cells of the result.
 void addTo(Grid<float>& sum, const LineField& member, float share) {
   for (const LatticeLoss& loss : member) {
     for (std::size_t i = 0; i < sum.cells.size(); ++i) {
       const Position centre = sum.geometry.centre(sum.geometry.cell(i));
       const Cell at = loss.lattice.geometry.cellAt(loss.lattice.toLattice(centre));
-      sum.cells[i] += share * (loss.across_x[at] + loss.across_y[at]);
+      sum.cells[i] += share * (loss.walls_along_y[at] + loss.walls_along_x[at]);
     }
   }
 }
 
-/// Takes off where the robot is unlikely to have come so near to a wall.
-void weakenBeside(const Grid<double>& distance, double radius, Grid<float>& strength) {
-  for (std::size_t i = 0; i < strength.cells.size(); ++i) {
-    const double away = std::max(0.0, distance.cells[i] * strength.geometry.resolution() - radius);
-    const double likely = 1.0 - std::exp(-away / kWallClearanceScale);
-    strength.cells[i] *= static_cast<float>(likely * likely);
+/// Reduces losses close to the path, where a wall would have stood in the robot's way.
+void weakenBesidePath(const Grid<double>& distance, double radius_m, Grid<float>& loss_db) {
+  for (std::size_t i = 0; i < loss_db.cells.size(); ++i) {
+    const double away = std::max(0.0, distance.cells[i] * loss_db.geometry.resolution() - radius_m);
+    const double likely = 1.0 - std::exp(-away / kWallClearanceScaleM);
+    loss_db.cells[i] *= static_cast<float>(likely * likely);
   }
 }
 
@@ -108,26 +111,27 @@ double lossBetween(const WallField& field, const Position& from, const Position&
   return sum / static_cast<double>(std::max<std::size_t>(field.members.size(), 1));
 }
 
-WallField estimateWalls(const GridGeometry& geometry, const std::vector<AccessPointBins>& heard,
-                        const Mask& path, double robot_radius, const WallFieldConfig& config,
+WallField estimateWalls(const GridGeometry& geometry,
+                        const std::vector<AccessPointBins>& access_points, const Mask& path,
+                        double robot_radius_m, const WallFieldConfig& config,
                         const std::atomic<bool>& stop) {
   WallField result{{}, Grid<float>(geometry), {}};
   const Grid<double> distance = distanceTransform(path);
-  for (int member = 0; member < config.members && !stop; ++member) {
-    const std::vector<LineLattice> lattices = latticesOf(member, geometry, config);
+  for (int member = 0; member < config.ensemble_size && !stop; ++member) {
+    const std::vector<LineLattice> lattices = shiftedLattices(member, geometry, config);
     std::vector<Mask> driven;
     for (const LineLattice& lattice : lattices) {
-      driven.push_back(coveredOn(lattice, distance, robot_radius));
+      driven.push_back(coveredOn(lattice, distance, robot_radius_m));
     }
-    result.members.push_back(
-        solveLineField(lattices, heardBy(member, heard, config), driven, config.line, stop));
-    addTo(result.strength, result.members.back(), 1.0F / static_cast<float>(config.members));
+    result.members.push_back(solveLineField(lattices, subsample(member, access_points, config),
+                                            driven, config.line, stop));
+    addTo(result.loss_db, result.members.back(), 1.0F / static_cast<float>(config.ensemble_size));
   }
-  weakenBeside(distance, robot_radius, result.strength);
-  for (const AccessPointBins& one : heard) {
-    result.ray_loss.emplace_back(one.bins.size(), 0.0);
+  weakenBesidePath(distance, robot_radius_m, result.loss_db);
+  for (const AccessPointBins& one : access_points) {
+    result.ray_loss_db.emplace_back(one.bins.size(), 0.0);
     for (std::size_t i = 0; i < one.bins.size() && !stop; ++i) {
-      result.ray_loss.back()[i] = lossBetween(result, one.position, one.bins[i].place);
+      result.ray_loss_db.back()[i] = lossBetween(result, one.position, one.bins[i].position);
     }
   }
   return result;

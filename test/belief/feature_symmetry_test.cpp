@@ -4,6 +4,7 @@
 #include <iterator>
 #include <random>
 
+#include "radio/path_loss.h"
 #include "support/feature_scene.h"
 
 // Every feature stays the same when the world is turned by quarters or mirrored: a building's axes
@@ -85,7 +86,7 @@ AccessPointBins slantedRays(const FeatureScene& scene, Cell at, const Move& move
   for (std::size_t i = 0; i < bins.size(); ++i) {
     RadioBin& bin = access_point.bins[i];
     const double jitter_db = i % 3 == 0 ? 1.0 : 0.0;
-    bin.rssi_dbm = -40.0 - 2.0 * logDistance(access_point, bin.place) - loss_db[i] + jitter_db;
+    bin.rssi_dbm = -40.0 - 2.0 * logDistance(access_point, bin.position) - loss_db[i] + jitter_db;
   }
   return access_point;
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "radio/path_loss.h"
 #include "support/feature_scene.h"
 
 // The features of a cell that depend on access points, rays, and the walls that tomography found,
@@ -163,7 +164,7 @@ TEST(RadioFeatures, WayAroundIsWhatTheCheapestWayCostsMoreThanTheStraightOne) {
 void sendThrough(const std::vector<double>& loss_db, AccessPointBins& access_point) {
   for (std::size_t i = 0; i < access_point.bins.size(); ++i) {
     RadioBin& bin = access_point.bins[i];
-    bin.rssi_dbm = -40.0 - 2.0 * logDistance(access_point, bin.place) - loss_db[i];
+    bin.rssi_dbm = -40.0 - 2.0 * logDistance(access_point, bin.position) - loss_db[i];
   }
 }
 
@@ -193,7 +194,7 @@ FeatureScene halfExplained() {
   const Position away(100.0, 0.0);
   far.position += away;
   for (RadioBin& bin : far.bins) {
-    bin.place += away;
+    bin.position += away;
   }
   scene.access_points.push_back(far);
   scene.ray_loss_db = {loss_db, std::vector<double>(bins.size(), 0.0)};

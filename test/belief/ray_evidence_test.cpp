@@ -70,7 +70,7 @@ TEST(RayEvidence, KeepsTheLeastLossOfAnyRay) {
 TEST(RayEvidence, IsOfCellsOnTheGridOnly) {
   AccessPointBins outside = accessPoint({0, 3}, {{6, 3}});
   outside.position.x() -= 5.0;
-  outside.bins.front().place.x() += 5.0;
+  outside.bins.front().position.x() += 5.0;
   EXPECT_EQ(picture(rayEvidence(kSquare, {outside}, {{5.0}}, kNever).least_loss)[3], "5555555");
 }
 

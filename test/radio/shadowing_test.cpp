@@ -11,60 +11,61 @@
 namespace sfw {
 namespace {
 
-/// Signals of one access point at some places.
+/// Signals of one access point at some positions.
 struct Signals {
-  std::vector<Position> places;
+  std::vector<Position> positions;
   std::vector<double> noise_db2;
-  std::vector<double> loss_db;
+  std::vector<double> log_distance_db;
 };
 
-Signals signalsAt(const std::vector<Position>& places) {
-  Signals signals{places, {}, {}};
+Signals signalsAt(const std::vector<Position>& positions) {
+  Signals signals{positions, {}, {}};
   Random random(3, 1, 0);
-  for (const Position& place : places) {
+  for (const Position& position : positions) {
     signals.noise_db2.push_back(random.uniform(0.1, 4.0));
-    signals.loss_db.push_back(10.0 * std::log10((place - Position(-1.0, -2.0)).norm()));
+    signals.log_distance_db.push_back(10.0 * std::log10((position - Position(-1.0, -2.0)).norm()));
   }
   return signals;
 }
 
 Signals scattered(std::size_t count, double side) {
   Random random(1, 1, 0);
-  std::vector<Position> places;
+  std::vector<Position> positions;
   for (std::size_t i = 0; i < count; ++i) {
     const double x = random.uniform(0.0, side);
-    places.emplace_back(x, random.uniform(0.0, side));
+    positions.emplace_back(x, random.uniform(0.0, side));
   }
-  return signalsAt(places);
+  return signalsAt(positions);
 }
 
-/// A drive to and fro, 0.2 m between places and 0.6 m between lanes.
+/// A drive to and fro, 0.2 m between positions and 0.6 m between lanes.
 Signals alongAPath(std::size_t count) {
-  std::vector<Position> places;
+  std::vector<Position> positions;
   for (std::size_t i = 0; i < count; ++i) {
     const auto lane = static_cast<double>(i / 30), on = static_cast<double>(i % 30);
-    places.emplace_back(0.2 * on, 0.6 * lane);
+    positions.emplace_back(0.2 * on, 0.6 * lane);
   }
-  return signalsAt(places);
+  return signalsAt(positions);
 }
 
-SignalPrecision precisionOf(const Signals& signals, const ShadowingModel& model = {}) {
-  return {signals.places, signals.noise_db2, signals.loss_db, model};
+SignalPrecision precisionOf(const Signals& signals, const SignalCovariance& model = {}) {
+  return {signals.positions, signals.noise_db2, signals.log_distance_db, model};
 }
 
-Eigen::MatrixXd covarianceOf(const Signals& signals, const ShadowingModel& model = {}) {
-  const auto count = static_cast<Eigen::Index>(signals.places.size());
+Eigen::MatrixXd covarianceOf(const Signals& signals, const SignalCovariance& model = {}) {
+  const auto count = static_cast<Eigen::Index>(signals.positions.size());
   Eigen::MatrixXd covariance(count, count);
   for (Eigen::Index i = 0; i < count; ++i) {
     for (Eigen::Index j = 0; j < count; ++j) {
       const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
       covariance(i, j) =
           std::pow(model.shadowing_db, 2) *
-              std::exp(-(signals.places[a] - signals.places[b]).norm() / model.shadowing_distance) +
-          std::pow(model.power_db, 2) +
-          std::pow(model.exponent, 2) * signals.loss_db[a] * signals.loss_db[b];
+              std::exp(-(signals.positions[a] - signals.positions[b]).norm() /
+                       model.shadowing_distance_m) +
+          std::pow(model.power_sd_db, 2) +
+          std::pow(model.exponent_sd, 2) * signals.log_distance_db[a] * signals.log_distance_db[b];
     }
-    covariance(i, i) += signals.noise_db2[static_cast<std::size_t>(i)] + model.unexplained_db2;
+    covariance(i, i) += signals.noise_db2[static_cast<std::size_t>(i)] + model.nugget_db2;
   }
   return covariance;
 }
@@ -88,7 +89,7 @@ Eigen::VectorXd randomVector(std::size_t count) {
   return values;
 }
 
-TEST(SignalPrecision, IsExactForFewPlaces) {
+TEST(SignalPrecision, IsExactForFewPositions) {
   for (std::size_t count = 1; count <= 13; ++count) {
     const Signals signals = scattered(count, 3.0);
     const Eigen::MatrixXd exact = covarianceOf(signals).inverse();
@@ -100,7 +101,7 @@ TEST(SignalPrecision, IsExactForFewPlaces) {
 /// By which shares the variances of uncorrelated sums of signals are wrong.
 Eigen::ArrayXd errorsOf(const Signals& signals) {
   const Eigen::MatrixXd covariance = covarianceOf(signals);
-  const Eigen::MatrixXd precision = denseOf(precisionOf(signals), signals.places.size());
+  const Eigen::MatrixXd precision = denseOf(precisionOf(signals), signals.positions.size());
   return (covariance * precision).eigenvalues().real().array() - 1.0;
 }
 
@@ -108,14 +109,14 @@ double worstOf(const Eigen::ArrayXd& errors) { return errors.abs().maxCoeff(); }
 
 double typicalOf(const Eigen::ArrayXd& errors) { return std::sqrt(errors.square().mean()); }
 
-TEST(SignalPrecision, IsCloseForManyPlaces) {
+TEST(SignalPrecision, IsCloseForManyPositions) {
   for (const Signals& signals : {scattered(300, 10.0), scattered(300, 4.0), alongAPath(300)}) {
     const Eigen::ArrayXd errors = errorsOf(signals);
     EXPECT_LT(worstOf(errors), 0.6);
     EXPECT_LT(typicalOf(errors), 0.15);
-    // Each place given its neighbours has its true variance, so nothing is lost on average.
+    // Each position given its neighbours has its true variance, so nothing is lost on average.
     EXPECT_NEAR(errors.mean(), 0.0, 0.01);
-    // Kullback-Leibler divergence from the true distribution, a place.
+    // Kullback-Leibler divergence from the true distribution, a position.
     EXPECT_LT(-0.5 * (1.0 + errors).log().mean(), 0.01);
     const Eigen::VectorXd residual = randomVector(300);
     const Eigen::VectorXd back = covarianceOf(signals) * precisionOf(signals).times(residual);
@@ -137,10 +138,11 @@ TEST(SignalPrecision, HardlyFeelsPowerAndExponent) {
   const auto energy = [&](const Eigen::VectorXd& residual) {
     return residual.dot(precision.times(residual));
   };
-  // Half a standard deviation of the power costs a quarter, however many places agree.
+  // Half a standard deviation of the power costs a quarter, however many positions agree.
   EXPECT_NEAR(energy(constant), 0.25, 0.01);
   EXPECT_GT(energy(wave), 1000.0 * energy(constant));
-  const Eigen::VectorXd loss = Eigen::Map<const Eigen::VectorXd>(signals.loss_db.data(), 200);
+  const Eigen::VectorXd loss =
+      Eigen::Map<const Eigen::VectorXd>(signals.log_distance_db.data(), 200);
   // A whole one of the exponent costs at most one half twice; power explains part of it.
   EXPECT_LT(energy(0.35 * loss), 1.0);
 }
@@ -148,36 +150,37 @@ TEST(SignalPrecision, HardlyFeelsPowerAndExponent) {
 TEST(SignalPrecision, DoesNotDependOnWhereTheMapLies) {
   Signals moved = scattered(300, 10.0);
   const SignalPrecision here = precisionOf(moved);
-  for (Position& place : moved.places) {
-    place = Position(1024.0, -512.0) + place;
+  for (Position& position : moved.positions) {
+    position = Position(1024.0, -512.0) + position;
   }
   const Eigen::VectorXd residual = randomVector(300);
   const Eigen::VectorXd expected = here.times(residual);
   EXPECT_LT((precisionOf(moved).times(residual) - expected).norm(), 1e-6 * expected.norm());
 }
 
-TEST(SignalPrecision, WorksWithoutPlaces) {
+TEST(SignalPrecision, WorksWithoutPositions) {
   EXPECT_EQ(precisionOf(signalsAt({})).times(Eigen::VectorXd()).size(), 0);
 }
 
-TEST(SignalPrecision, StaysFiniteWherePlacesCoincideAndNothingIsNoisy) {
+TEST(SignalPrecision, StaysFiniteWherePositionsCoincideAndNothingIsNoisy) {
   Signals signals = signalsAt(std::vector<Position>(40, Position(1.0, 1.0)));
   signals.noise_db2.assign(40, 1e-18);
-  ShadowingModel model;
-  model.unexplained_db2 = 0.0;
+  SignalCovariance model;
+  model.nugget_db2 = 0.0;
   EXPECT_TRUE(precisionOf(signals, model).times(randomVector(40)).allFinite());
 }
 
 TEST(SignalPrecision, FindsNeighboursInAnyLayout) {
   // One far outlier, all on a line, and a lattice full of ties.
   Signals outlier = scattered(100, 2.0);
-  outlier.places.front() = Position(5000.0, 5000.0);
+  outlier.positions.front() = Position(5000.0, 5000.0);
   std::vector<Position> line, lattice;
   for (int i = 0; i < 100; ++i) {
     line.emplace_back(0.2 * i, 3.0);
     lattice.emplace_back(0.2 * (i % 10), 0.2 * (i / 10));
   }
-  for (const Signals& signals : {signalsAt(outlier.places), signalsAt(line), signalsAt(lattice)}) {
+  for (const Signals& signals :
+       {signalsAt(outlier.positions), signalsAt(line), signalsAt(lattice)}) {
     const Eigen::ArrayXd errors = errorsOf(signals);
     EXPECT_LT(worstOf(errors), 0.6);
     EXPECT_LT(typicalOf(errors), 0.15);

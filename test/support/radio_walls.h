@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "radio/path_loss.h"
 #include "base/random.h"
 #include "grid/for_each_cell.h"
 #include "tomography/line_field.h"
@@ -14,7 +15,7 @@ namespace sfw::test {
 
 /// A straight wall across one axis: at `x` for all y between `from` and `to` if it is across x.
 struct StraightWall {
-  bool across_x = true;
+  bool walls_along_y = true;
   double at = 0.0;
   double from = 0.0;
   double to = 0.0;
@@ -22,7 +23,7 @@ struct StraightWall {
 };
 
 inline bool crosses(const StraightWall& wall, Position a, Position b) {
-  if (!wall.across_x) {
+  if (!wall.walls_along_y) {
     a.reverseInPlace();
     b.reverseInPlace();
   }

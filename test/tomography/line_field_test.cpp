@@ -21,8 +21,8 @@ using test::StraightWall;
 std::vector<std::string> linesBetween(const Position& from, const Position& to,
                                       const GridGeometry& geometry = {1.0, {0.0, 0.0}, 5, 5}) {
   std::vector<std::string> lines;
-  forEachLine(geometry, from, to, [&](bool across_x, Cell cell) {
-    lines.push_back((across_x ? "x" : "y") + std::to_string(cell.x) + std::to_string(cell.y));
+  forEachLine(geometry, from, to, [&](bool walls_along_y, Cell cell) {
+    lines.push_back((walls_along_y ? "x" : "y") + std::to_string(cell.x) + std::to_string(cell.y));
   });
   return lines;
 }
@@ -87,7 +87,7 @@ std::vector<Position> places() {
 
 LineFieldConfig additive() {
   LineFieldConfig config;
-  config.saturation_db = std::numeric_limits<double>::infinity();
+  config.max_total_wall_loss_db = std::numeric_limits<double>::infinity();
   return config;
 }
 
@@ -114,7 +114,7 @@ TEST(LineField, FindsAWallAtItsPlaceWithItsLoss) {
   EXPECT_NEAR(lossBetween(field, {2.3, 3.1}, {5.3, 3.1}), 5.0, 1.5);
   EXPECT_LT(lossBetween(field, {0.5, 3.1}, {1.9, 3.1}), 0.5);
   EXPECT_LT(lossBetween(field, {5.3, 3.1}, {7.9, 3.1}), 0.5);
-  EXPECT_GE(leastOf(field[0].across_x), 0.0F);
+  EXPECT_GE(leastOf(field[0].walls_along_y), 0.0F);
 }
 
 TEST(LineField, TwoAccessPointsPinAWallsEndDown) {
@@ -128,8 +128,8 @@ TEST(LineField, TwoAccessPointsPinAWallsEndDown) {
 TEST(LineField, FindsNothingWhereThereIsNoWall) {
   const LineField field =
       solved({heardThrough({}, kLeft, places()), heardThrough({}, kLow, places())});
-  EXPECT_LT(mostOf(field[0].across_x), 0.1F);
-  EXPECT_LT(mostOf(field[0].across_y), 0.1F);
+  EXPECT_LT(mostOf(field[0].walls_along_y), 0.1F);
+  EXPECT_LT(mostOf(field[0].walls_along_x), 0.1F);
 }
 
 TEST(LineField, PutsNoWallWhereTheRobotWas) {
@@ -137,15 +137,15 @@ TEST(LineField, PutsNoWallWhereTheRobotWas) {
   const LineField field = solved({heardThrough({kWall}, kLeft, places(), 1e300, 3.0)});
   for (std::size_t i = 0; i < driven.cells.size(); ++i) {
     EXPECT_TRUE(driven.cells[i] == 0 ||
-                field[0].across_x.cells[i] + field[0].across_y.cells[i] == 0.0F);
+                field[0].walls_along_y.cells[i] + field[0].walls_along_x.cells[i] == 0.0F);
   }
 }
 
 TEST(LineField, PutsNoWallWhereNoRayCrosses) {
   const LineField field = solved({heardThrough({kWall}, kLeft, places(), 1e300, 3.0)});
   for (std::int64_t y = 0; y < kHall.height(); ++y) {
-    EXPECT_EQ((field[0].across_x[{0, y}]), 0.0F);
-    EXPECT_EQ((field[0].across_x[{38, y}]), 0.0F);
+    EXPECT_EQ((field[0].walls_along_y[{0, y}]), 0.0F);
+    EXPECT_EQ((field[0].walls_along_y[{38, y}]), 0.0F);
   }
 }
 
@@ -153,7 +153,7 @@ TEST(LineField, UndoesSaturation) {
   LineFieldConfig config;
   config.iterations = 2000;
   const std::vector<StraightWall> walls{{true, 3.9, 0.0, 6.0, 12.0}};
-  const AccessPointBins heard = heardThrough(walls, kLeft, places(), config.saturation_db);
+  const AccessPointBins heard = heardThrough(walls, kLeft, places(), config.max_total_wall_loss_db);
   const double with = lossBetween(solved({heard}, config), {2.3, 3.1}, {5.3, 3.1});
   const double without = lossBetween(solved({heard}), {2.3, 3.1}, {5.3, 3.1});
   EXPECT_NEAR(without, 15.0 * (1.0 - std::exp(-12.0 / 15.0)), 2.0);
@@ -164,16 +164,16 @@ TEST(LineField, UndoesSaturation) {
 TEST(LineField, StopsWhenAsked) {
   const std::atomic<bool> stop{true};
   const LineField field = solved({heardThrough({kWall}, kLeft, places())}, additive(), stop);
-  EXPECT_EQ(mostOf(field[0].across_x), 0.0F);
-  EXPECT_EQ(mostOf(field[0].across_y), 0.0F);
+  EXPECT_EQ(mostOf(field[0].walls_along_y), 0.0F);
+  EXPECT_EQ(mostOf(field[0].walls_along_x), 0.0F);
 }
 
 TEST(LineField, IsTheSameEachTime) {
   const AccessPointBins heard = heardThrough({kWall}, kLeft, places(), 15.0, 2.0);
   const LineField first = solved({heard}, LineFieldConfig());
   const LineField again = solved({heard}, LineFieldConfig());
-  EXPECT_EQ(first[0].across_x.cells, again[0].across_x.cells);
-  EXPECT_EQ(first[0].across_y.cells, again[0].across_y.cells);
+  EXPECT_EQ(first[0].walls_along_y.cells, again[0].walls_along_y.cells);
+  EXPECT_EQ(first[0].walls_along_x.cells, again[0].walls_along_x.cells);
 }
 
 TEST(LineField, OrderOfAccessPointsDoesNotMatter) {
@@ -181,9 +181,9 @@ TEST(LineField, OrderOfAccessPointsDoesNotMatter) {
   const AccessPointBins low = heardThrough({kWall}, kLow, places(), 15.0, 2.0);
   const LineField one = solved({left, low}, LineFieldConfig());
   const LineField other = solved({low, left}, LineFieldConfig());
-  for (std::size_t i = 0; i < one[0].across_x.cells.size(); ++i) {
-    EXPECT_NEAR(one[0].across_x.cells[i], other[0].across_x.cells[i], 0.02);
-    EXPECT_NEAR(one[0].across_y.cells[i], other[0].across_y.cells[i], 0.02);
+  for (std::size_t i = 0; i < one[0].walls_along_y.cells.size(); ++i) {
+    EXPECT_NEAR(one[0].walls_along_y.cells[i], other[0].walls_along_y.cells[i], 0.02);
+    EXPECT_NEAR(one[0].walls_along_x.cells[i], other[0].walls_along_x.cells[i], 0.02);
   }
 }
 
@@ -198,7 +198,7 @@ TEST(LineField, ExplainsASlantedWallBetterWithALatticeAlongIt) {
   AccessPointBins heard = heardThrough({wall}, slant.toLattice({1.0, 0.7}), turned);
   heard.position = slant.toBuilding(heard.position);
   for (RadioBin& bin : heard.bins) {
-    bin.place = slant.toBuilding(bin.place);
+    bin.position = slant.toBuilding(bin.position);
   }
   const std::vector<Mask> driven{coveredBy(kHall, places(), 0.2),
                                  coveredBy(slant.geometry, turned, 0.2)};
@@ -209,7 +209,7 @@ TEST(LineField, ExplainsASlantedWallBetterWithALatticeAlongIt) {
     double squares = 0.0;
     for (std::size_t i = 0; i < turned.size(); ++i) {
       const bool hidden = crosses(wall, slant.toLattice(heard.position), turned[i]);
-      const double loss = lossBetween(found, heard.position, heard.bins[i].place);
+      const double loss = lossBetween(found, heard.position, heard.bins[i].position);
       squares += std::pow(loss - (hidden ? 6.0 : 0.0), 2);
     }
     return std::sqrt(squares / static_cast<double>(turned.size()));
@@ -222,7 +222,7 @@ TEST(LineField, NothingHeardIsNoWall) {
   silent.position = kLeft;
   for (const std::vector<AccessPointBins>& heard :
        {std::vector<AccessPointBins>(), std::vector<AccessPointBins>{silent}}) {
-    EXPECT_EQ(mostOf(solved(heard)[0].across_x), 0.0F);
+    EXPECT_EQ(mostOf(solved(heard)[0].walls_along_y), 0.0F);
   }
 }
 

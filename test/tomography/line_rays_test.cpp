@@ -16,7 +16,7 @@ std::vector<std::string> described(const Unknowns& unknowns) {
   std::vector<std::string> texts;
   unknowns.forEach([&](Eigen::Index i, const Unknowns::Direction& direction, Cell c) {
     EXPECT_EQ(static_cast<std::size_t>(i), texts.size());
-    texts.push_back(std::to_string(direction.lattice) + (direction.across_x ? "x" : "y") +
+    texts.push_back(std::to_string(direction.lattice) + (direction.walls_along_y ? "x" : "y") +
                     std::to_string(c.x) + std::to_string(c.y));
   });
   return texts;
@@ -24,8 +24,8 @@ std::vector<std::string> described(const Unknowns& unknowns) {
 
 TEST(Unknowns, AreNumberedAlongTheirWalls) {
   Unknowns unknowns(kTwo);
-  const auto add = [&](std::size_t lattice, bool across_x, Cell c) {
-    unknowns.add(unknowns.slot({lattice, across_x}, c));
+  const auto add = [&](std::size_t lattice, bool walls_along_y, Cell c) {
+    unknowns.add(unknowns.slot({lattice, walls_along_y}, c));
   };
   add(1, false, {1, 3});
   add(0, true, {2, 1});

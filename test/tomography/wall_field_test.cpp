@@ -53,7 +53,7 @@ World moved(World world, Move&& move) {
   for (AccessPointBins& one : world.heard) {
     one.position = move(one.position);
     for (RadioBin& bin : one.bins) {
-      bin.place = move(bin.place);
+      bin.position = move(bin.position);
     }
   }
   std::transform(world.places.begin(), world.places.end(), world.places.begin(), move);
@@ -71,7 +71,7 @@ double strengthIn(const WallField& field, const Position& from, const Position& 
   double sum = 0.0, count = 0.0;
   forEachCell(kHall, [&](Cell c) {
     if (Box(from, to).contains(kHall.centre(c))) {
-      sum += field.strength[c];
+      sum += field.loss_db[c];
       count += 1.0;
     }
   });
@@ -83,13 +83,13 @@ bool isFinite(const WallField& field) {
   bool all = true;
   for (const LineField& member : field.members) {
     for (const LatticeLoss& loss : member) {
-      for (const Grid<float>* grid : {&loss.across_x, &loss.across_y}) {
+      for (const Grid<float>* grid : {&loss.walls_along_y, &loss.walls_along_x}) {
         all = all && std::all_of(grid->cells.begin(), grid->cells.end(), finite);
       }
     }
   }
-  all = all && std::all_of(field.strength.cells.begin(), field.strength.cells.end(), finite);
-  for (const std::vector<double>& losses : field.ray_loss) {
+  all = all && std::all_of(field.loss_db.cells.begin(), field.loss_db.cells.end(), finite);
+  for (const std::vector<double>& losses : field.ray_loss_db) {
     all = all && std::all_of(losses.begin(), losses.end(), finite);
   }
   return all;
@@ -105,8 +105,8 @@ TEST(WallField, IsStrongWhereAWallIs) {
 TEST(WallField, IsTheMeanOfItsMembers) {
   // Shifts follow from a member's number, and no bin is left out: each is solved alone here.
   WallFieldConfig config;
-  config.members = 2;
-  config.left_out = 0.0;
+  config.ensemble_size = 2;
+  config.holdout_fraction = 0.0;
   const World world = twoRooms(2.0);
   const WallField field = wallsOf(world, config);
   const Mask path = coveredBy(kHall, world.places, 0.1);
@@ -124,9 +124,9 @@ TEST(WallField, IsTheMeanOfItsMembers) {
   }
   for (std::size_t i = 0; i < world.heard[1].bins.size(); ++i) {
     const RadioBin& bin = world.heard[1].bins[i];
-    EXPECT_NEAR(field.ray_loss[1][i],
-                0.5 * (lossBetween(members[0], world.heard[1].position, bin.place) +
-                       lossBetween(members[1], world.heard[1].position, bin.place)),
+    EXPECT_NEAR(field.ray_loss_db[1][i],
+                0.5 * (lossBetween(members[0], world.heard[1].position, bin.position) +
+                       lossBetween(members[1], world.heard[1].position, bin.position)),
                 1e-9);
   }
   // Far from the path, which weakens walls beside it.
@@ -135,11 +135,11 @@ TEST(WallField, IsTheMeanOfItsMembers) {
     for (const LineField& one : members) {
       const LatticeLoss& loss = one.front();
       const Cell at = loss.lattice.geometry.cellAt(kHall.centre(kHall.cellAt(place)));
-      mean += 0.5 * (loss.across_x[at] + loss.across_y[at]);
+      mean += 0.5 * (loss.walls_along_y[at] + loss.walls_along_x[at]);
     }
     const double away = distance[kHall.cellAt(place)] * kHall.resolution() - kRadius;
     const double likely = std::pow(1.0 - std::exp(-away / 0.2), 2);
-    EXPECT_NEAR(field.strength[kHall.cellAt(place)], likely * mean, 1e-4);
+    EXPECT_NEAR(field.loss_db[kHall.cellAt(place)], likely * mean, 1e-4);
   }
 }
 
@@ -166,9 +166,9 @@ double errorOnASlant(int directions) {
     world.heard.push_back(heardThrough({wall}, access_point, world.places, kAddUp, 1.0));
   }
   WallFieldConfig config;
-  config.directions = directions;
-  config.line.saturation_db = kAddUp;
-  config.line.shadowing.unexplained_db2 = 4.0;
+  config.wall_directions = directions;
+  config.line.max_total_wall_loss_db = kAddUp;
+  config.line.covariance.nugget_db2 = 4.0;
   const WallField field =
       wallsOf(moved(world, [&](const Position& p) { return slant.toBuilding(p); }), config);
   Random random(1, 1, 0);
@@ -193,12 +193,12 @@ TEST(WallField, HearsASlantedWallBetterInMoreDirections) {
 TEST(WallField, TellsTheLossOfEachRay) {
   const World world = twoRooms();
   const WallField field = wallsOf(world);
-  ASSERT_EQ(field.ray_loss.size(), 2U);
+  ASSERT_EQ(field.ray_loss_db.size(), 2U);
   const StraightWall wall{true, -0.5, -4.0, 1.5, 7.0};
   double behind = 0.0, aside = 0.0, behind_count = 0.0, aside_count = 0.0;
   for (std::size_t i = 0; i < world.places.size(); ++i) {
     const bool hidden = test::crosses(wall, world.heard[0].position, world.places[i]);
-    (hidden ? behind : aside) += field.ray_loss[0][i];
+    (hidden ? behind : aside) += field.ray_loss_db[0][i];
     (hidden ? behind_count : aside_count) += 1.0;
   }
   EXPECT_NEAR(behind / behind_count, 7.0, 2.0);
@@ -213,8 +213,8 @@ double changeUnder(Move&& move) {
   double difference = 0.0, sum = 0.0;
   forEachCell(kHall, [&](Cell c) {
     const Cell there = kHall.cellAt(move(kHall.centre(c)));
-    difference += std::abs(field.strength[c] - other.strength[there]);
-    sum += field.strength[c];
+    difference += std::abs(field.loss_db[c] - other.loss_db[there]);
+    sum += field.loss_db[c];
   });
   return difference / sum;
 }
@@ -236,20 +236,21 @@ TEST(WallField, IsWeakNextToTheRobot) {
     for (const LineField& member : field.members) {
       const LatticeLoss& loss = member.front();
       const Cell at = loss.lattice.geometry.cellAt(centre);
-      both += (loss.across_x[at] + loss.across_y[at]) / static_cast<double>(field.members.size());
+      both += (loss.walls_along_y[at] + loss.walls_along_x[at]) /
+              static_cast<double>(field.members.size());
     }
     const double away = distance.cells[i] * kHall.resolution();
-    EXPECT_LE(field.strength.cells[i], both + 1e-4);
-    EXPECT_TRUE(away > kRadius || field.strength.cells[i] == 0.0F);
-    EXPECT_TRUE(away < kRadius + 2.5 || field.strength.cells[i] >= 0.99 * both);
+    EXPECT_LE(field.loss_db.cells[i], both + 1e-4);
+    EXPECT_TRUE(away > kRadius || field.loss_db.cells[i] == 0.0F);
+    EXPECT_TRUE(away < kRadius + 2.5 || field.loss_db.cells[i] >= 0.99 * both);
   }
 }
 
 TEST(WallField, IsTheSameEachTime) {
   const World world = twoRooms(2.0);
   const WallField first = wallsOf(world), again = wallsOf(world);
-  EXPECT_EQ(first.strength.cells, again.strength.cells);
-  EXPECT_EQ(first.ray_loss, again.ray_loss);
+  EXPECT_EQ(first.loss_db.cells, again.loss_db.cells);
+  EXPECT_EQ(first.ray_loss_db, again.ray_loss_db);
 }
 
 TEST(WallField, StopsWhenAsked) {
@@ -271,9 +272,9 @@ TEST(WallField, TakesDegenerateInput) {
   for (const World& world : worlds) {
     const WallField field = wallsOf(world);
     EXPECT_TRUE(isFinite(field));
-    ASSERT_EQ(field.ray_loss.size(), world.heard.size());
+    ASSERT_EQ(field.ray_loss_db.size(), world.heard.size());
     for (std::size_t i = 0; i < world.heard.size(); ++i) {
-      EXPECT_EQ(field.ray_loss[i].size(), world.heard[i].bins.size());
+      EXPECT_EQ(field.ray_loss_db[i].size(), world.heard[i].bins.size());
     }
   }
 }

@@ -1,4 +1,4 @@
-#include "radio/nearest_places.h"
+#include "radio/nearest_neighbours.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,23 +6,23 @@
 namespace sfw {
 namespace {
 
-/// Edge of a cell, in spacings of the places: with four of them in a cell, searches among few of
-/// the places look at few cells, and those among all at few places.
+/// Edge of a cell, in spacings of the positions. With four positions in a cell, searches among few
+/// of them look at few cells, and searches among all of them look at few positions.
 constexpr double kCellEdge = 2.0;
 
 }  // namespace
 
-NearestPlaces::NearestPlaces(const std::vector<Position>& places)
-    : places_(places), next_(places.size(), -1) {
+NearestNeighbours::NearestNeighbours(const std::vector<Position>& positions)
+    : positions_(positions), next_(positions.size(), -1) {
   Box box;
-  for (const Position& place : places) {
-    box.extend(place);
+  for (const Position& position : positions) {
+    box.extend(position);
   }
   if (!box.isEmpty()) {
-    const auto count = static_cast<double>(places.size());
+    const auto count = static_cast<double>(positions.size());
     const Position size = box.sizes();
     least_ = box.min();
-    // The second bounds the number of cells where all places lie on a line.
+    // The second bounds the number of cells where all positions lie on a line.
     const double edge =
         kCellEdge * std::max(std::sqrt(size.prod() / count), size.maxCoeff() / count);
     edge_ = edge > 0.0 ? edge : 1.0;
@@ -32,23 +32,24 @@ NearestPlaces::NearestPlaces(const std::vector<Position>& places)
   first_.assign(static_cast<std::size_t>(width_ * height_), -1);
 }
 
-std::int64_t NearestPlaces::cellOf(double coordinate, double least) const {
+std::int64_t NearestNeighbours::cellOf(double coordinate, double least) const {
   return static_cast<std::int64_t>(std::floor((coordinate - least) / edge_));
 }
 
-void NearestPlaces::enter(int place) {
-  const Position& position = places_[static_cast<std::size_t>(place)];
+void NearestNeighbours::enter(int number) {
+  const Position& position = positions_[static_cast<std::size_t>(number)];
   int& first = first_[static_cast<std::size_t>(cellOf(position.y(), least_.y()) * width_ +
                                                cellOf(position.x(), least_.x()))];
-  next_[static_cast<std::size_t>(place)] = first;
-  first = place;
+  next_[static_cast<std::size_t>(number)] = first;
+  first = number;
 }
 
-void NearestPlaces::lookIn(std::int64_t x, std::int64_t y, const Position& to, std::size_t count) {
-  for (int place = first_[static_cast<std::size_t>(y * width_ + x)]; place >= 0;
-       place = next_[static_cast<std::size_t>(place)]) {
-    const std::pair<double, int> one((places_[static_cast<std::size_t>(place)] - to).squaredNorm(),
-                                     place);
+void NearestNeighbours::lookIn(std::int64_t x, std::int64_t y, const Position& to,
+                               std::size_t count) {
+  for (int number = first_[static_cast<std::size_t>(y * width_ + x)]; number >= 0;
+       number = next_[static_cast<std::size_t>(number)]) {
+    const std::pair<double, int> one(
+        (positions_[static_cast<std::size_t>(number)] - to).squaredNorm(), number);
     if (found_.size() == count && !(one < found_.back())) {
       continue;
     }
@@ -63,8 +64,8 @@ void NearestPlaces::lookIn(std::int64_t x, std::int64_t y, const Position& to, s
   }
 }
 
-void NearestPlaces::lookInRing(std::int64_t x, std::int64_t y, std::int64_t ring,
-                               const Position& to, std::size_t count) {
+void NearestNeighbours::lookInRing(std::int64_t x, std::int64_t y, std::int64_t ring,
+                                   const Position& to, std::size_t count) {
   const std::int64_t bottom = std::max<std::int64_t>(y - ring, 0);
   const std::int64_t top = std::min(y + ring, height_ - 1);
   for (std::int64_t row = bottom; row <= top; ++row) {
@@ -84,8 +85,8 @@ void NearestPlaces::lookInRing(std::int64_t x, std::int64_t y, std::int64_t ring
   }
 }
 
-const std::vector<std::pair<double, int>>& NearestPlaces::nearest(const Position& to,
-                                                                  std::size_t count) {
+const std::vector<std::pair<double, int>>& NearestNeighbours::nearest(const Position& to,
+                                                                      std::size_t count) {
   found_.clear();
   const std::int64_t x = cellOf(to.x(), least_.x());
   const std::int64_t y = cellOf(to.y(), least_.y());
@@ -93,7 +94,7 @@ const std::vector<std::pair<double, int>>& NearestPlaces::nearest(const Position
       std::max({std::abs(x), std::abs(y), std::abs(width_ - 1 - x), std::abs(height_ - 1 - y)});
   for (std::int64_t ring = 0; ring <= last && count > 0; ++ring) {
     lookInRing(x, y, ring, to, count);
-    // What is not seen yet is farther than all rings, but for rounding.
+    // All positions not seen yet are farther than this ring, except for rounding.
     constexpr double kRounding = 1e-6;
     const double seen = (static_cast<double>(ring) - kRounding) * edge_;
     if (found_.size() == count && seen > 0.0 && found_.back().first < seen * seen) {

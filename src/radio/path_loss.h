@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "radio/radio_bins.h"
+#include "structure_from_wifi/types.h"
+
+namespace sfw {
+
+/// Prior means of the log-distance law; the priors around them are wide.
+constexpr double kPriorPowerDbm = -37.0;  ///< received power at 1 m
+constexpr double kPriorExponent = 2.1;    ///< of the path loss
+
+/// Distances in space [m] from squared distances on the floor [m2].
+///
+/// Distances on the floor count as at least 0.3 m. If the height of the access point above the
+/// floor is known, the antenna is taken to be 0.6 m above the floor; otherwise both are at one
+/// height.
+Eigen::ArrayXd spaceDistance(const Eigen::ArrayXd& squares_m2, std::optional<double> height_m);
+
+/// 10 log10 of the distance in space in metres, as of spaceDistance: the factor of the exponent in
+/// the log-distance law.
+double logDistance(const AccessPointBins& access_point, const Position& antenna);
+
+/// Share of the variance left by the log-distance law that the walls' losses explain (R squared,
+/// 0 to 1). The rest is noise, furniture, or a wrong position of an access point.
+/// @param ray_loss_db  of each bin of each access point
+/// Access points with fewer than ten bins are skipped.
+double explainedVariance(const std::vector<AccessPointBins>& access_points,
+                         const std::vector<std::vector<double>>& ray_loss_db);
+
+}  // namespace sfw
