@@ -8,7 +8,7 @@ namespace sfw {
 
 namespace {
 
-/// Means over `2 * reach + 1` cells of lines, whose cells are cell(line, 0..length - 1).
+/// Means over `2 * reach + 1` cells of each line; its cells are cell(line, 0..length - 1).
 template <typename CellAt>
 Grid<float> lineMean(const Grid<float>& values, std::int64_t lines, std::int64_t length,
                      std::int64_t reach, CellAt&& cell) {
@@ -47,17 +47,17 @@ Grid<float> boxMean(const Grid<float>& values, std::int64_t reach) {
   return columnMean(rowMean(values, reach), reach);
 }
 
-std::array<Grid<float>, 4> axisDistances(const Mask& set, float farthest) {
+std::array<Grid<float>, 4> axisDistances(const Mask& set, float farthest_m) {
   const GridGeometry& geometry = set.geometry;
   const auto step = static_cast<float>(geometry.resolution());
   std::array<Grid<float>, 4> distance{Grid<float>(geometry), Grid<float>(geometry),
                                       Grid<float>(geometry), Grid<float>(geometry)};
   const auto sweep = [&](Grid<float>& out, std::int64_t lines, std::int64_t length, auto&& cell) {
     for (std::int64_t line = 0; line < lines; ++line) {
-      float since = farthest;
+      float since = farthest_m;
       for (std::int64_t i = 0; i < length; ++i) {
         const Cell c = cell(line, i);
-        since = set[c] != 0 ? 0.0F : std::min(since + step, farthest);
+        since = set[c] != 0 ? 0.0F : std::min(since + step, farthest_m);
         out[c] = since;
       }
     }
@@ -79,7 +79,7 @@ Mask closedWithSquare(const Mask& set, std::int64_t reach) {
     const Grid<float> mean = boxMean(values, reach);
     Mask result(geometry);
     for (std::size_t i = 0; i < mean.cells.size(); ++i) {
-      // Sums of ones: half a cell's share tells none from one whatever the rounding.
+      // A sum of ones: below a half it is none, whatever the rounding.
       const auto window = static_cast<float>((2 * reach + 1) * (2 * reach + 1));
       result.cells[i] = mean.cells[i] * window > 0.5F ? 1 : 0;
     }

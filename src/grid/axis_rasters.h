@@ -7,24 +7,26 @@
 
 namespace sfw {
 
-/// Rasters along a grid's own axes, for the straight walls of the building frame.
+// Rasters along a grid's own axes, for walls along the axes of the building frame.
 
-/// Means over the cells within `reach` of each in its row, or in its column; cells outside the grid
-/// count as 0. Linear in cells.
+/// Mean over the cells within `reach` cells of each cell in its row. Cells outside the grid count
+/// as 0. Linear in cells.
 Grid<float> rowMean(const Grid<float>& values, std::int64_t reach);
+
+/// As rowMean, in each column.
 Grid<float> columnMean(const Grid<float>& values, std::int64_t reach);
 
-/// Mean over the square of cells within `reach` of each cell in both axes; cells outside the grid
-/// count as 0. Linear in cells.
+/// Mean over the square of cells within `reach` cells of each cell. Cells outside the grid count as
+/// 0. Linear in cells.
 Grid<float> boxMean(const Grid<float>& values, std::int64_t reach);
 
-/// Closes a set with a square of cells within `reach` in both axes: gaps in which the square finds
-/// no room are closed, and corners stay square. A gap of at most `reach` cells between the set and
-/// the grid's edge is closed too. Linear in cells.
+/// Morphological closing with a square of 2 reach + 1 cells: gaps too narrow for the square are
+/// closed, and corners stay square. A gap of at most `reach` cells between the set and the grid's
+/// edge is closed too. Linear in cells.
 Mask closedWithSquare(const Mask& set, std::int64_t reach);
 
-/// Distance from each cell to the nearest one of the set along each half axis [m], at most
-/// `farthest`; in the order left, right, down, up. Linear in cells.
-std::array<Grid<float>, 4> axisDistances(const Mask& set, float farthest);
+/// Distances from each cell to the nearest cell of the set to the left, right, below and above [m],
+/// at most `farthest_m`. Linear in cells.
+std::array<Grid<float>, 4> axisDistances(const Mask& set, float farthest_m);
 
 }  // namespace sfw

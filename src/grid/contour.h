@@ -6,9 +6,11 @@
 
 namespace sfw {
 
-/// The borders of a set: for each, the cells of the set along it, each an edge neighbour of the one
-/// before, the first one of the last. The outer border and those of holes; where the set is one
-/// cell wide, cells occur twice. In row-major order of their first cells. Linear in cells.
+/// Follows the borders of a set, outer ones and those of holes.
+///
+/// Cells occur twice where the set is one cell wide. Linear in cells.
+/// @return the cells of the set along each border, each an edge neighbour of the next, and the last
+/// of the first; borders are in row-major order of their first cells.
 std::vector<std::vector<Cell>> contours(const Mask& mask);
 
 }  // namespace sfw

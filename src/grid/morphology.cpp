@@ -20,7 +20,7 @@ Mask padded(const Mask& mask, std::int64_t margin) {
   return outer;
 }
 
-/// Gives a label to everything in the set that hangs together with `seed`.
+/// Labels all cells of the set that are connected with `seed`.
 void flood(const Mask& mask, Cell seed, std::int64_t label, Grid<std::int64_t>& labels) {
   std::vector<Cell> open{seed};
   labels[seed] = label;

@@ -14,11 +14,11 @@ constexpr std::int64_t kNever = std::int64_t{1} << 31;  // beyond every border, 
 constexpr std::uint32_t kInWall = 1;
 constexpr std::uint32_t kOneWall = 2;
 
-/// Goes on through two cells, out of one row and into the next; coming from the open into a wall,
-/// in either step, counts one more.
-std::uint32_t advance(std::uint32_t met, bool goes_out_in_wall, bool comes_in_in_wall) {
-  const bool entered = goes_out_in_wall ? (met & kInWall) == 0 : comes_in_in_wall;
-  return (met & ~kInWall) + (entered ? kOneWall : 0) + (comes_in_in_wall ? kInWall : 0);
+/// The count after a ray leaves one row through a cell and enters the next row through another one.
+/// Each step from the open into a wall adds one wall.
+std::uint32_t advance(std::uint32_t count, bool goes_out_in_wall, bool comes_in_in_wall) {
+  const bool entered = goes_out_in_wall ? (count & kInWall) == 0 : comes_in_in_wall;
+  return (count & ~kInWall) + (entered ? kOneWall : 0) + (comes_in_in_wall ? kInWall : 0);
 }
 
 std::int64_t floorOfQuotient(std::int64_t a, std::int64_t b) { return a / b - (a % b < 0 ? 1 : 0); }
@@ -45,13 +45,13 @@ struct ConeSweep::Crossing {
   /// Where either changes next.
   std::int64_t change() const { return std::min(*out.next, *in.next); }
 
-  Met here(Met met) const { return advance(met, out.isWall(), in.isWall()); }
+  WallCount here(WallCount count) const { return advance(count, out.isWall(), in.isWall()); }
 
-  /// Passes change(): what the one ray has met then that goes exactly through it.
+  /// Passes change(), and gives the count of the one ray that goes exactly through it.
   ///
   /// At a lattice corner a ray steps diagonally, away from the access point's column. Two walls
   /// that meet in the corner leave no gap to slip through.
-  Met through(Met met) {
+  WallCount through(WallCount count) {
     const std::int64_t corner = change();
     const bool out_below = out.isWall(), in_below = in.isWall();
     out.pass(corner);
@@ -59,7 +59,7 @@ struct ConeSweep::Crossing {
     const bool goes_out = corner > 0 ? out_below : out.isWall();
     const bool comes_in = corner > 0 ? in.isWall() : in_below;
     const bool between = corner > 0 ? out.isWall() && in_below : out_below && in.isWall();
-    const Met after = advance(met, goes_out, comes_in);
+    const WallCount after = advance(count, goes_out, comes_in);
     return after + (between && !goes_out && !comes_in ? kOneWall : 0);
   }
 
@@ -87,8 +87,8 @@ void ConeSweep::writeTo(Grid<std::uint8_t>& counts) {
   }
   const bool in_wall =
       starts_inside && isInWall(source_row, floorOfQuotient(source_across_, kCell));
-  const Met met = in_wall ? kInWall : 0;
-  pieces_.assign({{-1, 1, met, met}, {1, 1, met, met}});
+  const WallCount count = in_wall ? kInWall : 0;
+  pieces_.assign({{-1, 1, count, count}, {1, 1, count, count}});
   borders_.assign(1, kNever);
   for (std::int64_t row = starts_inside ? source_row : nearest; row >= 0 && row < rows_;
        row += sign_) {
@@ -137,34 +137,36 @@ void ConeSweep::findBorders(std::int64_t row) {
 /// row: the one where it came in, and the one where it goes out here.
 void ConeSweep::crossInto(std::int64_t at) {
   if (last_borders_.size() == 1 && borders_.size() == 1) {
-    return;  // nothing to meet
+    return;  // no walls
   }
   next_.resize(pieces_.size() + last_borders_.size() + borders_.size());
   next_count_ = 0;
   Crossing crossing{{last_borders_, -at}, {borders_, -at}};
   for (const Piece& piece : pieces_) {
     const std::int64_t end = piece.across * at;  // times piece.along
-    Met here = crossing.here(piece.met);
+    WallCount here = crossing.here(piece.count);
     while (crossing.change() * piece.along < end) {
       const std::int64_t corner = crossing.change();
-      append(corner, at, here, crossing.through(piece.met));
-      here = crossing.here(piece.met);
+      append(corner, at, here, crossing.through(piece.count));
+      here = crossing.here(piece.count);
     }
     const bool ends_in_corner = crossing.change() * piece.along == end;
-    append(piece.across, piece.along, here,
-           ends_in_corner ? crossing.through(piece.met_at_end) : crossing.here(piece.met_at_end));
+    append(
+        piece.across, piece.along, here,
+        ends_in_corner ? crossing.through(piece.count_at_end) : crossing.here(piece.count_at_end));
   }
   next_.resize(next_count_);
   std::swap(pieces_, next_);
 }
 
-/// Rays that have met the same as those before them join them.
-inline void ConeSweep::append(std::int64_t across, std::int64_t along, Met met, Met met_at_end) {
+/// Appends a piece; pieces of equal counts are joined.
+inline void ConeSweep::append(std::int64_t across, std::int64_t along, WallCount count,
+                              WallCount count_at_end) {
   const Piece* last = next_count_ > 1 ? &next_[next_count_ - 1] : nullptr;
-  const bool joins = last != nullptr && last->met == met && last->met_at_end == met;
+  const bool joins = last != nullptr && last->count == count && last->count_at_end == count;
   next_count_ += joins ? 0 : 1;
   next_[next_count_ - 1] = {static_cast<std::int32_t>(across), static_cast<std::int32_t>(along),
-                            met, met_at_end};
+                            count, count_at_end};
 }
 
 /// The centre of a cell of this cone lies on a ray that came into the row in that cell.
@@ -187,13 +189,14 @@ void ConeSweep::readCounts(std::int64_t row, Grid<std::uint8_t>& counts) const {
     }
     const std::size_t cell = index(row, column);
     if (plan_.cells[cell] == CellState::kFree) {
-      const Met met = end == across * piece->along ? piece->met_at_end : piece->met;
-      counts.cells[cell] = static_cast<std::uint8_t>(std::min<Met>(met / kOneWall, kMostWalls));
+      const WallCount count = end == across * piece->along ? piece->count_at_end : piece->count;
+      counts.cells[cell] =
+          static_cast<std::uint8_t>(std::min<WallCount>(count / kOneWall, kMostWalls));
     }
   }
 }
 
-/// Drops the rays that have left the grid sideways: they meet none of its cells again.
+/// Drops the rays that have left the grid sideways: they never return.
 void ConeSweep::dropRaysOutsideGrid(std::int64_t at) {
   const std::int64_t low = -source_across_;
   const std::int64_t high = columns_ * kCell - source_across_;

@@ -7,13 +7,13 @@
 
 namespace sfw {
 
-/// Walls on the rays from an access point to all cells of one of four cones around it: those that
-/// advance along one axis at least as fast as across it.
+/// Counts the walls on the rays from an access point to all cells of one of four cones around it.
 ///
-/// Rows are counted along that axis, columns across it. From row to row it carries what the rays
-/// have met as a piecewise constant function of their slope. All lengths are whole sub-cells, as
-/// Ray has them, and slopes are fractions: nothing is rounded, so every count is what a walk along
-/// Ray finds, through lattice corners too.
+/// The rays of a cone advance along one axis at least as fast as across it. Rows are counted along
+/// that axis, columns across it. From row to row the sweep carries the wall count as a piecewise
+/// constant function of the ray's slope. Lengths are whole sub-cells, as in Ray, and slopes are
+/// fractions. Nothing is rounded, so each count equals that of a walk along Ray, lattice corners
+/// included.
 class ConeSweep {
  public:
   /// Farthest that an access point may lie from the grid's origin: the range of Ray [cells].
@@ -29,19 +29,19 @@ class ConeSweep {
   void writeTo(Grid<std::uint8_t>& counts);
 
  private:
-  /// What a ray has met: twice the number of walls, plus one if it is in a wall now.
-  using Met = std::uint32_t;
+  /// Walls that a ray has entered: twice their number, plus one while it is in a wall.
+  using WallCount = std::uint32_t;
 
-  /// Rays of neighbouring slopes that have met the same, and the ray where that ends, which may
-  /// pass a corner and meet something else. Its slope is across / along.
+  /// Rays of neighbouring slopes with equal counts, and the ray at their end. That ray may pass a
+  /// corner and have another count; its slope is across / along.
   struct Piece {
     std::int32_t across;
     std::int32_t along;
-    Met met;
-    Met met_at_end;
+    WallCount count;
+    WallCount count_at_end;
   };
 
-  /// Where walls begin and end in a row, in turns, and an end that is never reached.
+  /// Positions where walls begin and end in a row, in turns, then one that is never reached.
   using Borders = std::vector<std::int64_t>;
 
   struct BorderCursor;
@@ -55,7 +55,7 @@ class ConeSweep {
 
   void findBorders(std::int64_t row);
   void crossInto(std::int64_t at);
-  void append(std::int64_t across, std::int64_t along, Met met, Met met_at_end);
+  void append(std::int64_t across, std::int64_t along, WallCount count, WallCount count_at_end);
   void readCounts(std::int64_t row, Grid<std::uint8_t>& counts) const;
   void dropRaysOutsideGrid(std::int64_t at);
 

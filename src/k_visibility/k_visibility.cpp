@@ -20,7 +20,7 @@ void requireInReach(const Position& source_cells) {
 
 bool isCounted(std::uint8_t value) { return value <= kMostWalls; }
 
-/// Follows one ray away from the access point.
+/// Marks the walls on one ray away from the access point.
 void followRay(const Grid<std::uint8_t>& k_map, const Ray& ray, bool walls_are_marked,
                std::vector<Cell>& between, Grid<CellState>& plan) {
   int last_count = kNoCount;

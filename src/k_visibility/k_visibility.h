@@ -8,33 +8,36 @@
 namespace sfw {
 
 /// Values of a k map beside the counts 0..kMostWalls, as k.pgm holds them.
-constexpr std::uint8_t kMostWalls = 250;  ///< higher counts stay here
+constexpr std::uint8_t kMostWalls = 250;  ///< largest count; more walls count as this
 constexpr std::uint8_t kNoCount = 254;    ///< outside the building, or not known
 constexpr std::uint8_t kWallCell = 255;
 
-/// k-visibility: walls between an access point and the centre of each free cell.
+/// Counts the walls between an access point and the centre of each free cell (k-visibility).
 ///
-/// A wall counts once however many cells thick it is: k is the number of runs of wall cells on the
-/// ray (ray.h) between the two, exactly what countWalls finds there, and so what a simulated
-/// recording holds for true k. Unknown cells are no wall and get kNoCount, occupied ones kWallCell.
-/// An access point inside a wall hears through that wall for nothing. A wall that slants against
-/// the grid is a staircase: a ray that rises or falls as the wall does may leave it between two
-/// steps and count it again, others count it once (doc/method/k_visibility.md).
+/// k is the number of runs of occupied cells on the ray (ray.h), so a wall counts once however
+/// thick it is. countWalls finds the same number, and a simulated recording holds it as its true k.
+/// Unknown cells are no wall; they get kNoCount, and occupied ones get kWallCell. If the access
+/// point lies inside a wall, that wall is not counted. A wall that slants against the grid is a
+/// staircase: a ray nearly parallel to it may leave it between two steps and count it again
+/// (doc/method/k_visibility.md).
 ///
-/// One sweep over the grid: in each of four cones it carries, from row to row away from the access
-/// point, the count as a piecewise constant function of the ray's slope, in whole numbers.
-/// O(cells + pieces of each row), and pieces are about the visible wall ends.
+/// One sweep over the grid: in each of four cones, the count is carried from row to row as a
+/// piecewise constant function of the ray's slope, in exact integers (ConeSweep).
+/// O(cells + pieces of each row), where pieces are about as many as visible wall ends.
 ///
-/// @param access_point [m], finite; it may lie outside the grid
+/// @param access_point  [m], finite; it may lie outside the grid
 /// @throw InputError if the access point lies more than 2^19 cells away.
 Grid<std::uint8_t> forwardKVisibility(const Grid<CellState>& plan, const Position& access_point);
 
-/// Dense inverse k-visibility: walls from a full k map, by the paper's section III.
+/// Dense inverse k-visibility: recovers the walls from a full k map, by the paper's section III.
 ///
-/// Along rays from the access point to all around the grid, walls are what lies between regions of
-/// consecutive counts: the kWallCell cells there, or, in a map that marks no walls, all cells
-/// without a count. Cells with a count are free, all others unknown. The inverse of
-/// forwardKVisibility on each wall that has counted cells on both sides. O(cells).
+/// Rays run from the access point to the rim of the grid and to each counted cell beside one
+/// without a count. Where consecutive counts follow each other on a ray, the kWallCell cells
+/// between them become occupied; in a map without kWallCell, all cells without a count between them
+/// do. Cells with a count become free; all others stay unknown. Each wall with counted cells on
+/// both sides is recovered exactly from forwardKVisibility. O(cells + counted cells beside walls x
+/// cells of a ray).
+/// @param access_point  [m], finite
 Grid<CellState> denseInverseKVisibility(const Grid<std::uint8_t>& k_map,
                                         const Position& access_point);
 

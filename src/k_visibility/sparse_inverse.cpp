@@ -13,12 +13,12 @@ namespace {
 
 constexpr double kRayCertainty = 0.95;  // no number of correlated rays says more than this
 
-/// Wall counts of the cells that the path crosses, as one access point hears them.
+/// Wall counts to one access point in the cells that the path crosses.
 class PathCells {
  public:
   explicit PathCells(const GridGeometry& geometry) : sums_(geometry) {}
 
-  /// Enters a path; each cell counts as the nearer of the two poses around it.
+  /// Enters a path; each cell gets the count of the nearer of the two poses around it.
   void enter(const CountedPath& path, double max_gap_m) {
     for (std::size_t i = 0; i < path.poses.size(); ++i) {
       const CountedPose& from = path.poses[i];
@@ -68,17 +68,18 @@ class PathCells {
   std::vector<Cell> cells_;
 };
 
-/// Adds what one segment says to the evidence of its cells.
+/// Adds the evidence of one segment to its cells.
 ///
 /// Its variance grows with the square of its length: the midpoint of a long segment is a poor
-/// guess, and two equal counts far apart are a poor proof that nothing stands between.
+/// estimate of a wall's position, and two equal counts far apart hardly exclude a wall between
+/// them.
 void addSegment(const RaySegment& segment, const std::vector<Cell>& ray,
                 const SparseInverseConfig& config, Grid<CellEvidence>& evidence) {
   const double resolution = evidence.geometry.resolution();
   const std::size_t cells = segment.end - segment.begin;
   const double length = static_cast<double>(cells) * resolution;
   if (segment.walls < 0) {
-    return;  // one of the two counts is wrong, and nothing tells which
+    return;  // one of the two counts is wrong, and it is unknown which
   }
   const double least_room = 2.0 * config.footprint_radius_m + config.wall_thickness_m;
   if (segment.walls > 0 && length < least_room) {
@@ -98,11 +99,12 @@ void addSegment(const RaySegment& segment, const std::vector<Cell>& ray,
   }
 }
 
-void addRays(const CountedPath& heard, const SparseInverseConfig& config,
+/// Adds the evidence of all rays to one access point.
+void addRays(const CountedPath& counted, const SparseInverseConfig& config,
              const std::atomic<bool>& stop, Grid<CellEvidence>& evidence) {
   const GridGeometry& geometry = evidence.geometry;
   PathCells path(geometry);
-  path.enter(heard, config.max_gap_m);
+  path.enter(counted, config.max_gap_m);
   std::vector<Cell> ray;
   std::vector<CountedCell> known;
   for (const Cell end : path.cells()) {
@@ -111,7 +113,7 @@ void addRays(const CountedPath& heard, const SparseInverseConfig& config,
     }
     ray.clear();
     known.assign(1, CountedCell{0, 0});
-    Ray(geometry, heard.access_point, geometry.centre(end)).forEachCell([&](Cell cell) {
+    Ray(geometry, counted.access_point, geometry.centre(end)).forEachCell([&](Cell cell) {
       if (!ray.empty() && path.crossed(cell)) {
         known.push_back({ray.size(), path.walls(cell)});
       }
@@ -123,14 +125,14 @@ void addRays(const CountedPath& heard, const SparseInverseConfig& config,
   }
 }
 
-/// Occupancy from fused mass, against the density that any unseen place has.
-float occupancy(const CellEvidence& evidence, double wall_density) {
+/// Occupancy from fused mass, relative to the prior of an unseen cell.
+float occupancy(const CellEvidence& evidence, double wall_prior) {
   const double mass = std::clamp(evidence.mass(), 0.0, 1.0);  // a sum may pass 1 by its rounding
-  const double probability = logistic(logit(mass) - logit(wall_density));
+  const double probability = logistic(logit(mass) - logit(wall_prior));
   return static_cast<float>(std::clamp(probability, 1.0 - kRayCertainty, kRayCertainty));
 }
 
-/// Rule 1: where the robot stood is free, at least the cell of its antenna.
+/// Rule 1: frees the cells of the robot's footprint, at least the cell of its antenna.
 void freeFootprints(const std::vector<Position>& path, const SparseInverseConfig& config,
                     Grid<float>& occupied) {
   const GridGeometry& geometry = occupied.geometry;
@@ -209,11 +211,11 @@ SparseInverseConfig sparseInverseConfig(const Config& config) {
           config.k_visibility.wall_thickness_m, config.k_visibility.wall_prior};
 }
 
-Grid<float> inferOccupancy(const GridGeometry& geometry, const std::vector<CountedPath>& heard,
+Grid<float> inferOccupancy(const GridGeometry& geometry, const std::vector<CountedPath>& counted,
                            const std::vector<Position>& path, const std::vector<Contact>& contacts,
                            const SparseInverseConfig& config, const std::atomic<bool>& stop) {
   Grid<CellEvidence> evidence(geometry);
-  for (const CountedPath& one : heard) {
+  for (const CountedPath& one : counted) {
     addRays(one, config, stop, evidence);
   }
   Grid<float> occupied(geometry, kUnknownOccupancy);

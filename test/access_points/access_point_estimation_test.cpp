@@ -18,7 +18,8 @@ namespace {
 
 constexpr double kNoise = 2.0;  // [dB]
 
-Sample heardAt(const Position& place, const Position& access_point, double height, Random& random) {
+Sample sampleAt(const Position& place, const Position& access_point, double height,
+                Random& random) {
   const double distance = std::max(0.3, std::hypot((place - access_point).norm(), height));
   return {place, -40.0 - 20.0 * std::log10(distance) + kNoise * random.normal()};
 }
@@ -30,7 +31,7 @@ std::vector<Sample> hallDrive(const Position& access_point, double height = 0.0)
   for (int lane = 0; lane <= 6; ++lane) {
     for (int step = 0; step <= 80; ++step) {
       const Position place(0.1 * (lane % 2 == 0 ? step : 80 - step), lane);
-      samples.push_back(heardAt(place, access_point, height, random));
+      samples.push_back(sampleAt(place, access_point, height, random));
     }
   }
   return samples;
@@ -40,7 +41,7 @@ std::vector<Sample> straightDrive(const Position& access_point) {
   Random random(4, 5, 6);
   std::vector<Sample> samples;
   for (int i = 0; i < 100; ++i) {
-    samples.push_back(heardAt({0.1 * i, 0.0}, access_point, 0.0, random));
+    samples.push_back(sampleAt({0.1 * i, 0.0}, access_point, 0.0, random));
   }
   return samples;
 }

@@ -11,7 +11,7 @@ namespace {
 
 using Rows = std::vector<std::string>;
 using test::coarseSettings;
-using test::heardIn;
+using test::countedIn;
 using test::inferred;
 using test::rowsOf;
 
@@ -142,20 +142,20 @@ double logit(double p) { return std::log(p / (1.0 - p)); }
 
 TEST(Fusion, WeighsRaysByTheInverseOfTheirVariance) {
   // Two access points cross in the middle cell: one sees a wall on 3 cells, the other none on 5.
-  const CountedPath wall = heardIn({"???????",  //
-                                    "???????",  //
-                                    "???????",  //
-                                    "?R???1?",  //
-                                    "???????",  //
-                                    "???????",  //
-                                    "???????"});
-  const CountedPath open = heardIn({"???0???",  //
-                                    "???????",  //
-                                    "???????",  //
-                                    "???????",  //
-                                    "???????",  //
-                                    "???????",  //
-                                    "???R???"});
+  const CountedPath wall = countedIn({"???????",  //
+                                      "???????",  //
+                                      "???????",  //
+                                      "?R???1?",  //
+                                      "???????",  //
+                                      "???????",  //
+                                      "???????"});
+  const CountedPath open = countedIn({"???0???",  //
+                                      "???????",  //
+                                      "???????",  //
+                                      "???????",  //
+                                      "???????",  //
+                                      "???????",  //
+                                      "???R???"});
   const Grid<float> map = inferred(GridGeometry(1.0, {0, 0}, 7, 7), {wall, open});
   // By hand: a bell of deviation 3/4 on three cells has 1 / (1 + 2 exp(-8/9)) of its mass in the
   // middle; mass 0 joins it with weights 1/9 and 1/25.
@@ -170,7 +170,7 @@ TEST(Fusion, WeighsRaysByTheInverseOfTheirVariance) {
 }
 
 TEST(Fusion, DoesNotGrowSurerByRepeatingARay) {
-  const CountedPath once = heardIn({"R???1"});
+  const CountedPath once = countedIn({"R???1"});
   CountedPath often = once;
   for (int i = 0; i < 1000; ++i) {
     often.poses.push_back(once.poses.front());
@@ -180,8 +180,8 @@ TEST(Fusion, DoesNotGrowSurerByRepeatingARay) {
 }
 
 TEST(Fusion, JoinsTwoAccessPoints) {
-  const CountedPath left = heardIn({"R?????1"});
-  const CountedPath right = heardIn({"????0?R"});
+  const CountedPath left = countedIn({"R?????1"});
+  const CountedPath right = countedIn({"????0?R"});
   const GridGeometry geometry(1.0, {0, 0}, 7, 1);
   EXPECT_EQ(rowsOf(inferred(geometry, {left})), (Rows{"???#??."}));
   EXPECT_EQ(rowsOf(inferred(geometry, {right})), (Rows{"????..?"}));
@@ -189,12 +189,12 @@ TEST(Fusion, JoinsTwoAccessPoints) {
 }
 
 TEST(Fusion, DoesNotDependOnTheOrderOfAccessPoints) {
-  const std::vector<CountedPath> heard{heardIn({"R??0??1", "???????", "??0????"}),
-                                       heardIn({"???0??1", "R??????", "??0????"}),
-                                       heardIn({"???2??1", "???????", "??0???R"})};
+  const std::vector<CountedPath> counted{countedIn({"R??0??1", "???????", "??0????"}),
+                                         countedIn({"???0??1", "R??????", "??0????"}),
+                                         countedIn({"???2??1", "???????", "??0???R"})};
   const GridGeometry geometry(1.0, {0, 0}, 7, 3);
-  const Grid<float> forward = inferred(geometry, heard);
-  const Grid<float> backward = inferred(geometry, {heard[2], heard[1], heard[0]});
+  const Grid<float> forward = inferred(geometry, counted);
+  const Grid<float> backward = inferred(geometry, {counted[2], counted[1], counted[0]});
   for (std::size_t i = 0; i < forward.cells.size(); ++i) {
     EXPECT_NEAR(forward.cells[i], backward.cells[i], 1e-6);  // the last bits of a sum may differ
   }
@@ -211,33 +211,33 @@ TEST(Fusion, KeepsFreeSpaceFreeForAnyWallDensity) {
 // ---- Places ----
 
 TEST(Places, OutsideTheGridAreLeftOut) {
-  CountedPath heard = heardIn({"R???0?"});
+  CountedPath counted = countedIn({"R???0?"});
   const GridGeometry geometry(1.0, {0, 0}, 6, 1);
-  const Grid<float> map = inferred(geometry, {heard});
+  const Grid<float> map = inferred(geometry, {counted});
   for (const Position& outside :
        {Position(-3.5, 0.5), Position(2.5, 77.0), Position(6.0, 0.5), Position(1e6, -1e6)}) {
-    heard.poses.push_back({outside, 3});
+    counted.poses.push_back({outside, 3});
   }
-  EXPECT_EQ(inferred(geometry, {heard}).cells, map.cells);
+  EXPECT_EQ(inferred(geometry, {counted}).cells, map.cells);
 }
 
 TEST(Places, OutsideTheGridMayHoldTheAccessPoint) {
-  CountedPath heard = heardIn({"???????",  //
-                               "?????0?",  //
-                               "???????"});
-  heard.access_point = {-20.5, 1.5};
+  CountedPath counted = countedIn({"???????",  //
+                                   "?????0?",  //
+                                   "???????"});
+  counted.access_point = {-20.5, 1.5};
   const GridGeometry geometry(1.0, {0, 0}, 7, 3);
-  EXPECT_EQ(rowsOf(inferred(geometry, {heard})), (Rows{"???????",  //
-                                                       "......?",  //
-                                                       "???????"}));
+  EXPECT_EQ(rowsOf(inferred(geometry, {counted})), (Rows{"???????",  //
+                                                         "......?",  //
+                                                         "???????"}));
 }
 
 TEST(Places, UnderTheAccessPointSayNothingButTheirFootprint) {
   for (const int walls : {0, 1}) {
-    const CountedPath heard{{1.5, 1.5}, {{{1.5, 1.5}, walls}, {{1.25, 1.75}, walls}}};
-    EXPECT_EQ(rowsOf(inferred(GridGeometry(1.0, {0, 0}, 3, 3), {heard})), (Rows{"???",  //
-                                                                                "?.?",  //
-                                                                                "???"}));
+    const CountedPath counted{{1.5, 1.5}, {{{1.5, 1.5}, walls}, {{1.25, 1.75}, walls}}};
+    EXPECT_EQ(rowsOf(inferred(GridGeometry(1.0, {0, 0}, 3, 3), {counted})), (Rows{"???",  //
+                                                                                  "?.?",  //
+                                                                                  "???"}));
   }
 }
 
@@ -250,9 +250,9 @@ TEST(Places, ThatNoRaySeesAreExactlyUndecided) {
 
 TEST(Inference, ReturnsEarlyWhenToldToStop) {
   const std::atomic<bool> stop{true};
-  const CountedPath heard = heardIn({"R???0"});
-  const Grid<float> map = inferOccupancy(GridGeometry(1.0, {0, 0}, 5, 1), {heard},
-                                         test::pathOf({heard}), {}, coarseSettings(), stop);
+  const CountedPath counted = countedIn({"R???0"});
+  const Grid<float> map = inferOccupancy(GridGeometry(1.0, {0, 0}, 5, 1), {counted},
+                                         test::pathOf({counted}), {}, coarseSettings(), stop);
   EXPECT_EQ(rowsOf(map), (Rows{"????."}));
 }
 

@@ -22,26 +22,26 @@ inline SparseInverseConfig coarseSettings() {
 
 /// What one access point hears, drawn on cells of 1 m: 'R' the access point, a digit a pose with
 /// so many walls.
-inline CountedPath heardIn(const std::vector<std::string>& rows) {
-  CountedPath heard;
+inline CountedPath countedIn(const std::vector<std::string>& rows) {
+  CountedPath counted;
   for (std::size_t row = 0; row < rows.size(); ++row) {
     for (std::size_t x = 0; x < rows[row].size(); ++x) {
       const char c = rows[row][x];
       const Position centre(static_cast<double>(x) + 0.5,
                             static_cast<double>(rows.size() - row) - 0.5);
       if (c == 'R') {
-        heard.access_point = centre;
+        counted.access_point = centre;
       } else if (c >= '0' && c <= '9') {
-        heard.poses.push_back({centre, c - '0'});
+        counted.poses.push_back({centre, c - '0'});
       }
     }
   }
-  return heard;
+  return counted;
 }
 
-inline std::vector<Position> pathOf(const std::vector<CountedPath>& heard) {
+inline std::vector<Position> pathOf(const std::vector<CountedPath>& counted) {
   std::vector<Position> path;
-  for (const CountedPath& one : heard) {
+  for (const CountedPath& one : counted) {
     for (const CountedPose& pose : one.poses) {
       path.push_back(pose.antenna_in_map);
     }
@@ -49,11 +49,11 @@ inline std::vector<Position> pathOf(const std::vector<CountedPath>& heard) {
   return path;
 }
 
-inline Grid<float> inferred(const GridGeometry& geometry, const std::vector<CountedPath>& heard,
+inline Grid<float> inferred(const GridGeometry& geometry, const std::vector<CountedPath>& counted,
                             const SparseInverseConfig& settings = coarseSettings(),
                             const std::vector<Contact>& contacts = {}) {
   const std::atomic<bool> never{false};
-  return inferOccupancy(geometry, heard, pathOf(heard), contacts, settings, never);
+  return inferOccupancy(geometry, counted, pathOf(counted), contacts, settings, never);
 }
 
 /// The map of one access point's picture.
@@ -62,7 +62,7 @@ inline Grid<float> inferred(const std::vector<std::string>& rows,
                             const std::vector<Contact>& contacts = {}) {
   const GridGeometry geometry(1.0, {0.0, 0.0}, static_cast<std::int64_t>(rows.front().size()),
                               static_cast<std::int64_t>(rows.size()));
-  return inferred(geometry, {heardIn(rows)}, settings, contacts);
+  return inferred(geometry, {countedIn(rows)}, settings, contacts);
 }
 
 /// '.' free, '#' occupied, '?' unknown by the default thresholds.

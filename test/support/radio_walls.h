@@ -6,9 +6,9 @@
 #include <limits>
 #include <vector>
 
-#include "radio/path_loss.h"
 #include "base/random.h"
 #include "grid/for_each_cell.h"
+#include "radio/path_loss.h"
 #include "tomography/line_field.h"
 
 namespace sfw::test {
@@ -34,15 +34,15 @@ inline bool crosses(const StraightWall& wall, Position a, Position b) {
   return y >= wall.from && y <= wall.to;
 }
 
-/// What is heard of an access point behind walls, with path loss of exponent 2 from -35 dBm at 1 m.
-inline AccessPointBins heardThrough(const std::vector<StraightWall>& walls,
-                                    const Position& access_point,
-                                    const std::vector<Position>& places,
-                                    double saturation_db = std::numeric_limits<double>::infinity(),
-                                    double noise_db = 0.0) {
-  AccessPointBins heard;
-  heard.position = access_point;
-  heard.noise_db2 = 0.09 + noise_db * noise_db;
+/// Bins of an access point behind walls, with path loss of exponent 2 from -35 dBm at 1 m.
+inline AccessPointBins binsThrough(const std::vector<StraightWall>& walls,
+                                   const Position& access_point,
+                                   const std::vector<Position>& places,
+                                   double saturation_db = std::numeric_limits<double>::infinity(),
+                                   double noise_db = 0.0) {
+  AccessPointBins behind;
+  behind.position = access_point;
+  behind.noise_db2 = 0.09 + noise_db * noise_db;
   Random random(1, 1, static_cast<std::uint64_t>(places.size()));
   for (const Position& place : places) {
     double loss = 0.0;
@@ -52,10 +52,11 @@ inline AccessPointBins heardThrough(const std::vector<StraightWall>& walls,
     if (std::isfinite(saturation_db)) {
       loss = saturation_db * (1.0 - std::exp(-loss / saturation_db));
     }
-    const double rssi = -35.0 - 2.0 * logDistance(heard, place) - loss + noise_db * random.normal();
-    heard.bins.push_back({place, rssi, 1.0});
+    const double rssi =
+        -35.0 - 2.0 * logDistance(behind, place) - loss + noise_db * random.normal();
+    behind.bins.push_back({place, rssi, 1.0});
   }
-  return heard;
+  return behind;
 }
 
 /// Places 0.2 m apart along a polyline.

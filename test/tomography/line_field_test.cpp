@@ -12,8 +12,8 @@
 namespace sfw {
 namespace {
 
+using test::binsThrough;
 using test::coveredBy;
-using test::heardThrough;
 using test::placesAlong;
 using test::StraightWall;
 
@@ -91,10 +91,10 @@ LineFieldConfig additive() {
   return config;
 }
 
-LineField solved(const std::vector<AccessPointBins>& heard,
+LineField solved(const std::vector<AccessPointBins>& access_points,
                  const LineFieldConfig& config = additive(),
                  const std::atomic<bool>& stop = kNever) {
-  return solveLineField({{kHall}}, heard, {coveredBy(kHall, places(), 0.2)}, config, stop);
+  return solveLineField({{kHall}}, access_points, {coveredBy(kHall, places(), 0.2)}, config, stop);
 }
 
 float mostOf(const Grid<float>& grid) {
@@ -108,7 +108,7 @@ float leastOf(const Grid<float>& grid) {
 const StraightWall kWall{true, 3.9, 0.0, 6.0, 6.0};
 
 TEST(LineField, FindsAWallAtItsPlaceWithItsLoss) {
-  const LineField field = solved({heardThrough({kWall}, kLeft, places())});
+  const LineField field = solved({binsThrough({kWall}, kLeft, places())});
   // For all that one access point says, the wall stands anywhere between the two lanes; sparsity
   // and few iterations leave part of the loss to path loss.
   EXPECT_NEAR(lossBetween(field, {2.3, 3.1}, {5.3, 3.1}), 5.0, 1.5);
@@ -120,21 +120,21 @@ TEST(LineField, FindsAWallAtItsPlaceWithItsLoss) {
 TEST(LineField, TwoAccessPointsPinAWallsEndDown) {
   const StraightWall half{true, 3.9, 3.0, 6.0, 8.0};
   const LineField field =
-      solved({heardThrough({half}, kLeft, places()), heardThrough({half}, kLow, places())});
+      solved({binsThrough({half}, kLeft, places()), binsThrough({half}, kLow, places())});
   EXPECT_GT(lossBetween(field, {2.3, 4.1}, {5.3, 4.1}), 4.0);
   EXPECT_LT(lossBetween(field, {2.3, 1.1}, {5.3, 1.1}), 2.0);
 }
 
 TEST(LineField, FindsNothingWhereThereIsNoWall) {
   const LineField field =
-      solved({heardThrough({}, kLeft, places()), heardThrough({}, kLow, places())});
+      solved({binsThrough({}, kLeft, places()), binsThrough({}, kLow, places())});
   EXPECT_LT(mostOf(field[0].walls_along_y), 0.1F);
   EXPECT_LT(mostOf(field[0].walls_along_x), 0.1F);
 }
 
 TEST(LineField, PutsNoWallWhereTheRobotWas) {
   const Mask driven = coveredBy(kHall, places(), 0.2);
-  const LineField field = solved({heardThrough({kWall}, kLeft, places(), 1e300, 3.0)});
+  const LineField field = solved({binsThrough({kWall}, kLeft, places(), 1e300, 3.0)});
   for (std::size_t i = 0; i < driven.cells.size(); ++i) {
     EXPECT_TRUE(driven.cells[i] == 0 ||
                 field[0].walls_along_y.cells[i] + field[0].walls_along_x.cells[i] == 0.0F);
@@ -142,7 +142,7 @@ TEST(LineField, PutsNoWallWhereTheRobotWas) {
 }
 
 TEST(LineField, PutsNoWallWhereNoRayCrosses) {
-  const LineField field = solved({heardThrough({kWall}, kLeft, places(), 1e300, 3.0)});
+  const LineField field = solved({binsThrough({kWall}, kLeft, places(), 1e300, 3.0)});
   for (std::int64_t y = 0; y < kHall.height(); ++y) {
     EXPECT_EQ((field[0].walls_along_y[{0, y}]), 0.0F);
     EXPECT_EQ((field[0].walls_along_y[{38, y}]), 0.0F);
@@ -153,9 +153,10 @@ TEST(LineField, UndoesSaturation) {
   LineFieldConfig config;
   config.iterations = 2000;
   const std::vector<StraightWall> walls{{true, 3.9, 0.0, 6.0, 12.0}};
-  const AccessPointBins heard = heardThrough(walls, kLeft, places(), config.max_total_wall_loss_db);
-  const double with = lossBetween(solved({heard}, config), {2.3, 3.1}, {5.3, 3.1});
-  const double without = lossBetween(solved({heard}), {2.3, 3.1}, {5.3, 3.1});
+  const AccessPointBins access_point =
+      binsThrough(walls, kLeft, places(), config.max_total_wall_loss_db);
+  const double with = lossBetween(solved({access_point}, config), {2.3, 3.1}, {5.3, 3.1});
+  const double without = lossBetween(solved({access_point}), {2.3, 3.1}, {5.3, 3.1});
   EXPECT_NEAR(without, 15.0 * (1.0 - std::exp(-12.0 / 15.0)), 2.0);
   EXPECT_NEAR(with, 12.0, 3.0);
   EXPECT_GT(with, without);
@@ -163,22 +164,22 @@ TEST(LineField, UndoesSaturation) {
 
 TEST(LineField, StopsWhenAsked) {
   const std::atomic<bool> stop{true};
-  const LineField field = solved({heardThrough({kWall}, kLeft, places())}, additive(), stop);
+  const LineField field = solved({binsThrough({kWall}, kLeft, places())}, additive(), stop);
   EXPECT_EQ(mostOf(field[0].walls_along_y), 0.0F);
   EXPECT_EQ(mostOf(field[0].walls_along_x), 0.0F);
 }
 
 TEST(LineField, IsTheSameEachTime) {
-  const AccessPointBins heard = heardThrough({kWall}, kLeft, places(), 15.0, 2.0);
-  const LineField first = solved({heard}, LineFieldConfig());
-  const LineField again = solved({heard}, LineFieldConfig());
+  const AccessPointBins access_point = binsThrough({kWall}, kLeft, places(), 15.0, 2.0);
+  const LineField first = solved({access_point}, LineFieldConfig());
+  const LineField again = solved({access_point}, LineFieldConfig());
   EXPECT_EQ(first[0].walls_along_y.cells, again[0].walls_along_y.cells);
   EXPECT_EQ(first[0].walls_along_x.cells, again[0].walls_along_x.cells);
 }
 
 TEST(LineField, OrderOfAccessPointsDoesNotMatter) {
-  const AccessPointBins left = heardThrough({kWall}, kLeft, places(), 15.0, 2.0);
-  const AccessPointBins low = heardThrough({kWall}, kLow, places(), 15.0, 2.0);
+  const AccessPointBins left = binsThrough({kWall}, kLeft, places(), 15.0, 2.0);
+  const AccessPointBins low = binsThrough({kWall}, kLow, places(), 15.0, 2.0);
   const LineField one = solved({left, low}, LineFieldConfig());
   const LineField other = solved({low, left}, LineFieldConfig());
   for (std::size_t i = 0; i < one[0].walls_along_y.cells.size(); ++i) {
@@ -195,21 +196,22 @@ TEST(LineField, ExplainsASlantedWallBetterWithALatticeAlongIt) {
   for (const Position& place : places()) {
     turned.push_back(slant.toLattice(place));
   }
-  AccessPointBins heard = heardThrough({wall}, slant.toLattice({1.0, 0.7}), turned);
-  heard.position = slant.toBuilding(heard.position);
-  for (RadioBin& bin : heard.bins) {
+  AccessPointBins access_point = binsThrough({wall}, slant.toLattice({1.0, 0.7}), turned);
+  access_point.position = slant.toBuilding(access_point.position);
+  for (RadioBin& bin : access_point.bins) {
     bin.position = slant.toBuilding(bin.position);
   }
   const std::vector<Mask> driven{coveredBy(kHall, places(), 0.2),
                                  coveredBy(slant.geometry, turned, 0.2)};
-  const LineField field = solveLineField({{kHall}, slant}, {heard}, driven, additive(), kNever);
+  const LineField field =
+      solveLineField({{kHall}, slant}, {access_point}, driven, additive(), kNever);
   const LineField straight =
-      solveLineField({{kHall}}, {heard}, {driven.front()}, additive(), kNever);
+      solveLineField({{kHall}}, {access_point}, {driven.front()}, additive(), kNever);
   const auto error = [&](const LineField& found) {
     double squares = 0.0;
     for (std::size_t i = 0; i < turned.size(); ++i) {
-      const bool hidden = crosses(wall, slant.toLattice(heard.position), turned[i]);
-      const double loss = lossBetween(found, heard.position, heard.bins[i].position);
+      const bool hidden = crosses(wall, slant.toLattice(access_point.position), turned[i]);
+      const double loss = lossBetween(found, access_point.position, access_point.bins[i].position);
       squares += std::pow(loss - (hidden ? 6.0 : 0.0), 2);
     }
     return std::sqrt(squares / static_cast<double>(turned.size()));
@@ -220,9 +222,9 @@ TEST(LineField, ExplainsASlantedWallBetterWithALatticeAlongIt) {
 TEST(LineField, NothingHeardIsNoWall) {
   AccessPointBins silent;
   silent.position = kLeft;
-  for (const std::vector<AccessPointBins>& heard :
+  for (const std::vector<AccessPointBins>& access_points :
        {std::vector<AccessPointBins>(), std::vector<AccessPointBins>{silent}}) {
-    EXPECT_EQ(mostOf(solved(heard)[0].walls_along_y), 0.0F);
+    EXPECT_EQ(mostOf(solved(access_point)[0].walls_along_y), 0.0F);
   }
 }
 

@@ -53,13 +53,13 @@ TEST(Unknowns, MayBeNone) {
 }
 
 TEST(Rays, CrossWhatStandsBetweenAccessPointAndBins) {
-  AccessPointBins heard;
-  heard.position = {0.2, 0.2};
-  heard.bins = {{{2.8, 0.3}, -40.0, 1.0}, {{0.8, 0.3}, -40.0, 1.0}};
+  AccessPointBins access_point;
+  access_point.position = {0.2, 0.2};
+  access_point.bins = {{{2.8, 0.3}, -40.0, 1.0}, {{0.8, 0.3}, -40.0, 1.0}};
   Mask driven(kTwo[0].geometry);
   driven[{1, 0}] = 1;
   const std::atomic<bool> never{false};
-  const Rays rays({kTwo[0]}, {heard}, {driven}, never);
+  const Rays rays({kTwo[0]}, {access_point}, {driven}, never);
   EXPECT_EQ(rays.size(), 2U);
   EXPECT_EQ(described(rays.unknowns()), (std::vector<std::string>{"0x00", "0x20"}));
   Eigen::VectorXf sums;

@@ -14,8 +14,8 @@
 namespace sfw {
 namespace {
 
+using test::binsThrough;
 using test::coveredBy;
-using test::heardThrough;
 using test::placesAlong;
 using test::StraightWall;
 
@@ -26,7 +26,7 @@ constexpr double kRadius = 0.2;
 
 /// What one robot hears, and its path.
 struct World {
-  std::vector<AccessPointBins> heard;
+  std::vector<AccessPointBins> access_points;
   std::vector<Position> places;
 };
 
@@ -43,14 +43,14 @@ World twoRooms(double noise_db = 0.0) {
                               {3.1, -3.1}});
   const std::vector<StraightWall> walls{{true, -0.5, -4.0, 1.5, 7.0}};
   for (const Position& access_point : {Position(-3.1, 0.3), Position(-2.7, -2.9)}) {
-    world.heard.push_back(heardThrough(walls, access_point, world.places, 15.0, noise_db));
+    world.access_points.push_back(binsThrough(walls, access_point, world.places, 15.0, noise_db));
   }
   return world;
 }
 
 template <class Move>
 World moved(World world, Move&& move) {
-  for (AccessPointBins& one : world.heard) {
+  for (AccessPointBins& one : world.access_points) {
     one.position = move(one.position);
     for (RadioBin& bin : one.bins) {
       bin.position = move(bin.position);
@@ -62,8 +62,8 @@ World moved(World world, Move&& move) {
 
 WallField wallsOf(const World& world, const WallFieldConfig& config = {},
                   const std::atomic<bool>& stop = kNever) {
-  return estimateWalls(kHall, world.heard, coveredBy(kHall, world.places, 0.1), kRadius, config,
-                       stop);
+  return estimateWalls(kHall, world.access_points, coveredBy(kHall, world.places, 0.1), kRadius,
+                       config, stop);
 }
 
 /// Mean strength of a rectangle of the hall.
@@ -120,13 +120,14 @@ TEST(WallField, IsTheMeanOfItsMembers) {
       const Cell at = kHall.cellAt(lattice.centre(c));
       driven[c] = kHall.contains(at) && distance[at] * kHall.resolution() <= kRadius ? 1 : 0;
     }
-    members.push_back(solveLineField({{lattice}}, world.heard, {driven}, config.line, kNever));
+    members.push_back(
+        solveLineField({{lattice}}, world.access_points, {driven}, config.line, kNever));
   }
-  for (std::size_t i = 0; i < world.heard[1].bins.size(); ++i) {
-    const RadioBin& bin = world.heard[1].bins[i];
+  for (std::size_t i = 0; i < world.access_points[1].bins.size(); ++i) {
+    const RadioBin& bin = world.access_points[1].bins[i];
     EXPECT_NEAR(field.ray_loss_db[1][i],
-                0.5 * (lossBetween(members[0], world.heard[1].position, bin.position) +
-                       lossBetween(members[1], world.heard[1].position, bin.position)),
+                0.5 * (lossBetween(members[0], world.access_points[1].position, bin.position) +
+                       lossBetween(members[1], world.access_points[1].position, bin.position)),
                 1e-9);
   }
   // Far from the path, which weakens walls beside it.
@@ -143,8 +144,8 @@ TEST(WallField, IsTheMeanOfItsMembers) {
   }
 }
 
-/// How far losses between the two sides of a slanted wall are from the true ones, on rays that
-/// nobody heard, when walls may have so many directions: root mean square [dB].
+/// Root mean square error of the losses across a slanted wall, on rays without readings, for a
+/// number of wall directions [dB].
 double errorOnASlant(int directions) {
   const LineLattice slant{kHall, kPi / 4.0};
   const StraightWall wall{true, 0.0, -2.0, 2.0, 7.0};
@@ -163,7 +164,7 @@ double errorOnASlant(int directions) {
                               {2.6, -2.8}});
   for (const Position& access_point :
        {Position(-2.1, 0.3), Position(-1.0, -1.9), Position(2.2, 1.1), Position(1.1, -2.0)}) {
-    world.heard.push_back(heardThrough({wall}, access_point, world.places, kAddUp, 1.0));
+    world.access_points.push_back(binsThrough({wall}, access_point, world.places, kAddUp, 1.0));
   }
   WallFieldConfig config;
   config.wall_directions = directions;
@@ -197,7 +198,7 @@ TEST(WallField, TellsTheLossOfEachRay) {
   const StraightWall wall{true, -0.5, -4.0, 1.5, 7.0};
   double behind = 0.0, aside = 0.0, behind_count = 0.0, aside_count = 0.0;
   for (std::size_t i = 0; i < world.places.size(); ++i) {
-    const bool hidden = test::crosses(wall, world.heard[0].position, world.places[i]);
+    const bool hidden = test::crosses(wall, world.access_points[0].position, world.places[i]);
     (hidden ? behind : aside) += field.ray_loss_db[0][i];
     (hidden ? behind_count : aside_count) += 1.0;
   }
@@ -264,17 +265,17 @@ TEST(WallField, TakesDegenerateInput) {
   const std::vector<World> worlds = {
       {{}, {}},
       {{AccessPointBins()}, {}},
-      {{heardThrough({}, inside, {{2.0, 1.0}})}, {{2.0, 1.0}}},
-      {{heardThrough({}, inside, {inside, inside})}, {inside}},
-      {{heardThrough({}, outside, twoRooms().places)}, twoRooms().places},
-      {{heardThrough({}, inside, {{90.0, 90.0}, {2.0, 1.0}})}, {}},
+      {{binsThrough({}, inside, {{2.0, 1.0}})}, {{2.0, 1.0}}},
+      {{binsThrough({}, inside, {inside, inside})}, {inside}},
+      {{binsThrough({}, outside, twoRooms().places)}, twoRooms().places},
+      {{binsThrough({}, inside, {{90.0, 90.0}, {2.0, 1.0}})}, {}},
   };
   for (const World& world : worlds) {
     const WallField field = wallsOf(world);
     EXPECT_TRUE(isFinite(field));
-    ASSERT_EQ(field.ray_loss_db.size(), world.heard.size());
-    for (std::size_t i = 0; i < world.heard.size(); ++i) {
-      EXPECT_EQ(field.ray_loss_db[i].size(), world.heard[i].bins.size());
+    ASSERT_EQ(field.ray_loss_db.size(), world.access_points.size());
+    for (std::size_t i = 0; i < world.access_points.size(); ++i) {
+      EXPECT_EQ(field.ray_loss_db[i].size(), world.access_points[i].bins.size());
     }
   }
 }
