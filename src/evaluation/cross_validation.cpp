@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/limited_loss.h"
 #include "path/building_frame.h"
 #include "radio/nearest_neighbours.h"
 #include "radio/path_loss.h"
@@ -45,11 +46,7 @@ std::vector<int> foldsOf(const std::vector<Reading>& readings, const PredictionC
   return folds;
 }
 
-double saturated(double loss, double limit) {
-  return std::isfinite(limit) ? limit * (1.0 - std::exp(-loss / limit)) : loss;
-}
-
-double meanSquare(double sum, std::size_t count) {
+double rootMeanSquare(double sum, std::size_t count) {
   return std::sqrt(sum / static_cast<double>(count));
 }
 
@@ -147,9 +144,9 @@ class Prediction {
     if (stop || bins_ == 0) {
       return std::nullopt;
     }
-    return PredictionMetrics{bins_, meanSquare(distance_.mean, bins_),
-                             meanSquare(walls_.mean, bins_), meanSquare(distance_.shadowed, bins_),
-                             meanSquare(walls_.shadowed, bins_)};
+    return PredictionMetrics{
+        bins_, rootMeanSquare(distance_.mean, bins_), rootMeanSquare(walls_.mean, bins_),
+        rootMeanSquare(distance_.shadowed, bins_), rootMeanSquare(walls_.shadowed, bins_)};
   }
 
  private:
@@ -215,8 +212,8 @@ class Prediction {
     for (Eigen::Index i = 0; i < count; ++i) {
       const RadioBin& bin = heard.bins[static_cast<std::size_t>(i)];
       if (field != nullptr) {
-        bins.wall_loss[i] = saturated(lossBetween(*field, heard.position, bin.position),
-                                      config_.walls.line.max_total_wall_loss_db);
+        bins.wall_loss[i] = limitedLoss(lossBetween(*field, heard.position, bin.position),
+                                        config_.walls.line.max_total_wall_loss_db);
       }
       bins.signals[i] = bin.rssi_dbm + bins.wall_loss[i];
       bins.basis.row(i) << 1.0, logDistance(heard, bin.position);

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "base/constants.h"
+#include "base/limited_loss.h"
 #include "base/random.h"
 #include "base/random_streams.h"
 #include "base/range_check.h"
@@ -41,10 +42,6 @@ void requireUsable(const FloorPlan& plan, const std::vector<Transmitter>& transm
   if (!text.empty()) {
     throw InputError(text);
   }
-}
-
-double saturated(double loss_db, double saturation_db) {
-  return saturation_db > 0.0 ? saturation_db * -std::expm1(-loss_db / saturation_db) : loss_db;
 }
 
 }  // namespace
@@ -115,7 +112,7 @@ double RadioModel::obstacleLoss(std::size_t access_point, const Position& antenn
   for (const WallCrossing& wall : wallsBetween(plan_, from, antenna_in_map)) {
     loss_db += wallLoss(wall, source.band);
   }
-  return saturated(loss_db, config_.saturation);
+  return limitedLoss(loss_db, config_.saturation);
 }
 
 int RadioModel::wallCount(std::size_t access_point, const Position& antenna_in_map) const {
