@@ -42,13 +42,13 @@ TEST(Dijkstra, GoesAroundWalls) {
                                                 ".#.#...",  //
                                                 ".#.####",  //
                                                 "......."});
-  EXPECT_EQ(steps[Cell{0, 0}], 0.0);
-  EXPECT_EQ(steps[Cell{6, 0}], 6.0);
-  EXPECT_EQ(steps[Cell{0, 6}], 6.0);
-  EXPECT_EQ(steps[Cell{6, 6}], 12.0);
-  EXPECT_EQ(steps[Cell{4, 4}], 8.0);  // through the gap in the lowest wall
-  EXPECT_EQ(steps[Cell{6, 2}], 12.0);
-  EXPECT_EQ(steps[Cell{3, 3}], kFar);  // a wall
+  EXPECT_EQ((steps[{0, 0}]), 0.0);
+  EXPECT_EQ((steps[{6, 0}]), 6.0);
+  EXPECT_EQ((steps[{0, 6}]), 6.0);
+  EXPECT_EQ((steps[{6, 6}]), 12.0);
+  EXPECT_EQ((steps[{4, 4}]), 8.0);  // through the gap in the lowest wall
+  EXPECT_EQ((steps[{6, 2}]), 12.0);
+  EXPECT_EQ((steps[{3, 3}]), kFar);  // a wall
 }
 
 TEST(Dijkstra, DoesNotReachWhatIsShutOff) {
@@ -59,8 +59,8 @@ TEST(Dijkstra, DoesNotReachWhatIsShutOff) {
                                                 "..###..",  //
                                                 ".......",  //
                                                 "......."});
-  EXPECT_EQ(steps[Cell{3, 3}], kFar);
-  EXPECT_EQ(steps[Cell{6, 6}], 12.0);
+  EXPECT_EQ((steps[{3, 3}]), kFar);
+  EXPECT_EQ((steps[{6, 6}]), 12.0);
 }
 
 TEST(Dijkstra, SettlesByCostAndThenInRowMajorOrder) {
@@ -86,7 +86,7 @@ TEST(Dijkstra, SettlesACellOnceAtItsLowestCost) {
   EXPECT_FALSE(search.lower({1, 1}, 3.0));
   search.lower({0, 0}, 3.0);
   EXPECT_EQ(search.settle(), (Cell{1, 1}));
-  EXPECT_EQ(cost[Cell{1, 1}], 2.0);
+  EXPECT_EQ((cost[{1, 1}]), 2.0);
   EXPECT_EQ(search.settle(), (Cell{0, 0}));
   EXPECT_EQ(search.settle(), std::nullopt);
 }

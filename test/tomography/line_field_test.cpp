@@ -219,12 +219,12 @@ TEST(LineField, ExplainsASlantedWallBetterWithALatticeAlongIt) {
   EXPECT_LT(error(field), 0.9 * error(straight));
 }
 
-TEST(LineField, NothingHeardIsNoWall) {
+TEST(LineField, FindsNoWallWithoutReadings) {
   AccessPointBins silent;
   silent.position = kLeft;
   for (const std::vector<AccessPointBins>& access_points :
        {std::vector<AccessPointBins>(), std::vector<AccessPointBins>{silent}}) {
-    EXPECT_EQ(mostOf(solved(access_point)[0].walls_along_y), 0.0F);
+    EXPECT_EQ(mostOf(solved(access_points)[0].walls_along_y), 0.0F);
   }
 }
 
