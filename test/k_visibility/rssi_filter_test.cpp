@@ -53,45 +53,5 @@ TEST(WithoutPathLoss, EndsNearTheAccessPoint) {
   EXPECT_GT(withoutPathLoss(-50.0, 0.31, 2.0), nearest);
 }
 
-// ---- Clustering ----
-
-/// Sum of squares about the means of the groups that `group` makes.
-double scatter(const Values& values, const std::function<std::size_t(double)>& group) {
-  std::vector<Values> groups(values.size() + 1);
-  for (const double value : values) {
-    groups[group(value)].push_back(value);
-  }
-  double sum = 0.0;
-  for (const Values& members : groups) {
-    double mean = 0.0;
-    for (const double member : members) {
-      mean += member / static_cast<double>(members.size());
-    }
-    for (const double member : members) {
-      sum += (member - mean) * (member - mean);
-    }
-  }
-  return sum;
-}
-
-/// The least scatter of all cuts of the sorted values into `groups` intervals.
-double leastScatter(const Values& sorted, std::size_t groups, Values& borders) {
-  if (borders.size() + 1 == groups) {
-    return scatter(sorted, [&](double value) {
-      return static_cast<std::size_t>(std::upper_bound(borders.begin(), borders.end(), value) -
-                                      borders.begin());
-    });
-  }
-  double least = std::numeric_limits<double>::infinity();
-  for (const double border : sorted) {
-    if (borders.empty() || border > borders.back()) {
-      borders.push_back(border);
-      least = std::min(least, leastScatter(sorted, groups, borders));
-      borders.pop_back();
-    }
-  }
-  return least;
-}
-
 }  // namespace
 }  // namespace sfw
