@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/validation.h"
 #include "files/text.h"
 #include "structure_from_wifi/input_error.h"
 
@@ -13,20 +14,6 @@ namespace sfw {
 namespace {
 
 constexpr char kAccessPointsKey[] = "access_points";
-
-std::string joined(const std::vector<std::string>& problems) {
-  std::string text;
-  for (const std::string& problem : problems) {
-    text += (text.empty() ? "" : "\n") + problem;
-  }
-  return text;
-}
-
-void throwIfAny(const std::vector<std::string>& problems) {
-  if (!problems.empty()) {
-    throw InputError(joined(problems));
-  }
-}
 
 /// Reads a scalar as the member's type; text for numbers is a wrong type, so is 2.5 for an integer.
 bool readScalar(const YAML::Node& node, double& value) {

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "access_points/access_point_estimation.h"
+#include "base/validation.h"
 #include "mapping/map_method.h"
 #include "mapping/reading_store.h"
-#include "structure_from_wifi/input_error.h"
 
 namespace sfw {
 namespace {
@@ -16,16 +16,6 @@ namespace {
 std::unique_ptr<const MapMethod> makeMapMethod(const Config& config) {
   return config.method == "tomography" ? makeTomographyMethod(config)
                                        : makeKVisibilityMethod(config);
-}
-
-void requireValid(const Config& config) {
-  std::string problems;
-  for (const std::string& problem : validate(config)) {
-    problems += (problems.empty() ? "" : "\n") + problem;
-  }
-  if (!problems.empty()) {
-    throw InputError(problems);
-  }
 }
 
 Eigen::ArrayXd signalsOf(const std::vector<Sample>& samples) {
@@ -81,7 +71,7 @@ void setWallCounts(const std::vector<AccessPointReadings>& readings,
 
 Mapper::Mapper(const Config& config, const std::vector<AccessPoint>& access_points)
     : config_(config), method_(makeMapMethod(config)) {
-  requireValid(config);
+  throwIfAny(validate(config));
   store_ = std::make_unique<ReadingStore>(config.map, access_points);
 }
 

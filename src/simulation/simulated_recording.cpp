@@ -5,7 +5,7 @@
 
 #include "base/random.h"
 #include "base/random_streams.h"
-#include "base/range_check.h"
+#include "base/validation.h"
 #include "structure_from_wifi/input_error.h"
 
 namespace sfw {
@@ -16,13 +16,7 @@ constexpr double kDriftTurns = 10.0;  // metres over which drift changes its dir
 /// The settings themselves, so that they are checked before anything is made of them.
 /// @throw InputError
 const RecordingConfig& usable(const RecordingConfig& config) {
-  std::string text;
-  for (const std::string& problem : validate(config)) {
-    text += (text.empty() ? "" : "\n") + problem;
-  }
-  if (!text.empty()) {
-    throw InputError(text);
-  }
+  throwIfAny(validate(config));
   return config;
 }
 
@@ -60,20 +54,17 @@ std::vector<Chance> chancesToHear(std::size_t access_points, double duration_s,
 }  // namespace
 
 std::vector<std::string> validate(const RecordingConfig& config) {
-  std::vector<std::string> problems;
-  const RangeCheck require(problems);
-  require(config.speed, 0.01, 10.0, "speed");
-  require(config.yaw_rate, 0.01, 100.0, "yaw_rate");
-  require(config.link_rate, 0.01, 1000.0, "link_rate");
-  require(config.scan_period, 0.01, 1000.0, "scan_period");
-  require(config.start, 0.0, 9e9, "start");
-  require(config.registration_error, 0.0, 10.0, "registration_error");
-  require(config.registration_distance, 0.01, 1000.0, "registration_distance");
-  require(config.drift, 0.0, 1.0, "drift");
-  for (const std::string& problem : validate(config.radio)) {
-    problems.push_back("radio/" + problem);
-  }
-  return problems;
+  Problems problems;
+  problems.within("speed", config.speed, 0.01, 10.0);
+  problems.within("yaw_rate", config.yaw_rate, 0.01, 100.0);
+  problems.within("link_rate", config.link_rate, 0.01, 1000.0);
+  problems.within("scan_period", config.scan_period, 0.01, 1000.0);
+  problems.within("start", config.start, 0.0, 9e9);
+  problems.within("registration_error", config.registration_error, 0.0, 10.0);
+  problems.within("registration_distance", config.registration_distance, 0.01, 1000.0);
+  problems.within("drift", config.drift, 0.0, 1.0);
+  problems.add(validate(config.radio), "radio/");
+  return problems.list();
 }
 
 PositionError::PositionError(const RecordingConfig& config)

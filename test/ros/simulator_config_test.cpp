@@ -109,13 +109,13 @@ TEST(SimulatorConfig, NamesEveryProblemAtOnce) {
             "generate must be flat or office\n"
             "route must be walls, sparse or a CSV file with the columns x, y\n"
             "drive must be route or cmd_vel\n"
-            "robot_radius must lie in 0.01..10\n"
-            "tf_rate must lie in 1..1000\n"
+            "robot_radius must lie in 0.01..10; it is 0\n"
+            "tf_rate must lie in 1..1000; it is 0\n"
             "scan_rate must not exceed tf_rate: each scan is stamped with a transform's time\n"
             "time_scale must be 1 unless publish_clock is true\n"
-            "base_frame must be a frame's name without a leading slash\n"
-            "drift must lie in 0..1\n"
-            "radio/interior_wall_loss must lie in 0..100");
+            "base_frame must be a frame's name without a leading slash; it is '/base_link'\n"
+            "drift must lie in 0..1; it is 2\n"
+            "radio/interior_wall_loss must lie in 0..100; it is -1");
 }
 
 TEST(SimulatorConfig, NeedsNoMoreThanABuilding) {
@@ -132,7 +132,7 @@ TEST(SimulatorConfig, RefusesNotANumber) {
   YAML::Node tree = complete();
   tree["speed"] = ".nan";
   tree["seed"] = 1.5;
-  EXPECT_EQ(problemsOf(tree), "seed must be a whole number\nspeed must lie in 0.01..10");
+  EXPECT_EQ(problemsOf(tree), "seed must be a whole number\nspeed must lie in 0.01..10; it is nan");
 }
 
 TEST(SimulatorConfig, FindsMisspeltSettings) {

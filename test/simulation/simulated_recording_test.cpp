@@ -231,9 +231,9 @@ TEST(Recording, NamesEverySettingOutOfRange) {
   config.drift = NAN;
   config.radio.step = -1.0;
   EXPECT_EQ(messageOf([&] { recordingOf(config); }),
-            "speed must lie in 0.01..10\n"
-            "drift must lie in 0..1\n"
-            "radio/step must lie in 0..10");
+            "speed must lie in 0.01..10; it is 0\n"
+            "drift must lie in 0..1; it is nan\n"
+            "radio/step must lie in 0..10; it is -1");
   EXPECT_EQ(messageOf([] {
               simulateRecording(test::emptyHall(), {{1, 1}}, twoTransmitters(), RecordingConfig());
             }),

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/validation.h"
 #include "cli/plan_files.h"
 #include "evaluation/scoring_suite.h"
 #include "simulation/radio/noise_level.h"
@@ -61,37 +62,42 @@ std::vector<std::string> plansOf(const BenchSuite& suite) {
 }
 
 void requireUsable(const BenchSuite& suite) {
-  std::string problems;
-  const auto check = [&](bool good, const std::string& problem) {
-    problems += good ? "" : (problems.empty() ? "" : "\n") + problem;
-  };
-  const auto tell = [&](auto&& may_throw) {
+  Problems problems;
+  const auto collect = [&](auto&& may_throw) {
     try {
       may_throw();
     } catch (const InputError& error) {
-      check(false, error.what());
+      problems.add(error.what());
     }
   };
-  constexpr std::int64_t kMost = 10000;
+  const auto within = [&](const char* name, std::int64_t value, double low, double high) {
+    problems.within(name, static_cast<double>(value), low, high);
+  };
+  constexpr double kMost = 10000.0;
   for (const std::string& level : suite.levels) {
-    tell([&] { parseNoiseLevel(level); });
+    collect([&] { parseNoiseLevel(level); });
   }
-  tell([&] { benchmarkMethods(suite.methods); });
+  collect([&] { benchmarkMethods(suite.methods); });
   for (const std::string& path : suite.paths) {
-    check(isRouteKind(path) || fs::exists(path),
-          "paths: '" + path + "' is neither walls nor sparse, nor a file of way points");
+    if (!isRouteKind(path) && !fs::exists(path)) {
+      problems.add("paths: '" + path + "' is neither walls nor sparse, nor a file of way points");
+    }
   }
   for (const std::string& plan : suite.plans) {
-    check(fs::exists(plan), plan + ": there is no such plan");
+    if (!fs::exists(plan)) {
+      problems.add(plan + ": there is no such plan");
+    }
   }
-  check(!suite.levels.empty(), "levels must name one");
-  check(!suite.paths.empty(), "paths must name one");
-  check(suite.generate >= 0 && suite.generate <= kMost, "generate must lie in 0..10000");
-  check(suite.seeds >= 1 && suite.seeds <= kMost, "seeds must lie in 1..10000");
-  check(suite.access_points >= 1 && suite.access_points <= 100, "access_points must lie in 1..100");
-  if (!problems.empty()) {
-    throw InputError(problems);
+  if (suite.levels.empty()) {
+    problems.add("levels must name one");
   }
+  if (suite.paths.empty()) {
+    problems.add("paths must name one");
+  }
+  within("generate", suite.generate, 0.0, kMost);
+  within("seeds", suite.seeds, 1.0, kMost);
+  within("access_points", suite.access_points, 1.0, 100.0);
+  problems.throwIfAny();
 }
 
 }  // namespace

@@ -2,9 +2,9 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include <cstdio>
 #include <set>
 
+#include "base/validation.h"
 #include "simulation/radio/noise_level.h"
 #include "structure_from_wifi/input_error.h"
 #include "structure_from_wifi/settings_io.h"
@@ -41,29 +41,6 @@ void addLeaves(const YAML::Node& node, const std::string& path, std::set<std::st
   }
 }
 
-/// Collects what is wrong with settings.
-class Problems {
- public:
-  void add(const std::string& problem) { text_ += (text_.empty() ? "" : "\n") + problem; }
-
-  void requireIn(double value, double low, double high, const char* name) {
-    if (!(value >= low && value <= high)) {
-      char text[96];
-      std::snprintf(text, sizeof text, "%s must lie in %g..%g", name, low, high);
-      add(text);
-    }
-  }
-
-  void throwIfAny() const {
-    if (!text_.empty()) {
-      throw InputError(text_);
-    }
-  }
-
- private:
-  std::string text_;
-};
-
 void checkBuilding(const SimulatorConfig& config, Problems& problems) {
   if (!config.plan.empty() && !config.generate.empty()) {
     problems.add("plan and generate exclude each other: leave one of them empty");
@@ -76,11 +53,10 @@ void checkBuilding(const SimulatorConfig& config, Problems& problems) {
   if (!config.generate.empty() && config.generate != "flat" && config.generate != "office") {
     problems.add("generate must be flat or office");
   }
-  problems.requireIn(config.resolution, 0.01, 0.1, "resolution");
-  problems.requireIn(config.metres_per_pixel, 0.0, 10.0, "metres_per_pixel");
-  problems.requireIn(config.area, 30.0, 400.0, "area");
-  problems.requireIn(static_cast<double>(config.access_point_count), 1.0, 100.0,
-                     "access_point_count");
+  problems.within("resolution", config.resolution, 0.01, 0.1);
+  problems.within("metres_per_pixel", config.metres_per_pixel, 0.0, 10.0);
+  problems.within("area", config.area, 30.0, 400.0);
+  problems.within("access_point_count", static_cast<double>(config.access_point_count), 1.0, 100.0);
 }
 
 void checkDrive(const SimulatorConfig& config, Problems& problems) {
@@ -91,45 +67,40 @@ void checkDrive(const SimulatorConfig& config, Problems& problems) {
     problems.add("drive must be route or cmd_vel");
   }
   const SimulatedRobot::Config& robot = config.robot;
-  problems.requireIn(robot.max_speed, 0.01, 10.0, "speed");
-  problems.requireIn(robot.max_yaw_rate, 0.01, 100.0, "yaw_rate");
-  problems.requireIn(robot.radius, 0.01, 10.0, "robot_radius");
-  problems.requireIn(robot.acceleration, 0.01, 1000.0, "acceleration");
-  problems.requireIn(robot.yaw_acceleration, 0.01, 10000.0, "yaw_acceleration");
-  problems.requireIn(robot.command_timeout, 0.0, 3600.0, "command_timeout");
+  problems.within("speed", robot.max_speed, 0.01, 10.0);
+  problems.within("yaw_rate", robot.max_yaw_rate, 0.01, 100.0);
+  problems.within("robot_radius", robot.radius, 0.01, 10.0);
+  problems.within("acceleration", robot.acceleration, 0.01, 1000.0);
+  problems.within("yaw_acceleration", robot.yaw_acceleration, 0.01, 10000.0);
+  problems.within("command_timeout", robot.command_timeout, 0.0, 3600.0);
 }
 
 void checkTime(const SimulatorConfig& config, Problems& problems) {
-  problems.requireIn(config.tf_rate, 1.0, 1000.0, "tf_rate");
-  problems.requireIn(config.scan_rate, 0.01, 1000.0, "scan_rate");
+  problems.within("tf_rate", config.tf_rate, 1.0, 1000.0);
+  problems.within("scan_rate", config.scan_rate, 0.01, 1000.0);
   if (config.scan_rate > config.tf_rate) {
     problems.add("scan_rate must not exceed tf_rate: each scan is stamped with a transform's time");
   }
-  problems.requireIn(config.time_scale, 0.01, 100.0, "time_scale");
+  problems.within("time_scale", config.time_scale, 0.01, 100.0);
   if (config.time_scale != 1.0 && !config.publish_clock) {
     problems.add("time_scale must be 1 unless publish_clock is true");
   }
-  problems.requireIn(config.start_delay, 0.0, 3600.0, "start_delay");
+  problems.within("start_delay", config.start_delay, 0.0, 3600.0);
 }
 
 void checkFrames(const SimulatorConfig& config, Problems& problems) {
   constexpr double kFar = 1e6;  // metres; nothing beyond is a building
   constexpr double kTurn = 10.0;
-  const auto require_frame = [&](const std::string& frame, const char* name) {
-    if (frame.empty() || frame.front() == '/') {
-      problems.add(std::string(name) + " must be a frame's name without a leading slash");
-    }
-  };
-  require_frame(config.map_frame, "map_frame");
-  require_frame(config.odom_frame, "odom_frame");
-  require_frame(config.base_frame, "base_frame");
+  problems.frame("map_frame", config.map_frame);
+  problems.frame("odom_frame", config.odom_frame);
+  problems.frame("base_frame", config.base_frame);
   if (config.map_frame == config.odom_frame || config.odom_frame == config.base_frame ||
       config.map_frame == config.base_frame) {
     problems.add("map_frame, odom_frame and base_frame must differ");
   }
-  problems.requireIn(config.odom.x, -kFar, kFar, "odom/x");
-  problems.requireIn(config.odom.y, -kFar, kFar, "odom/y");
-  problems.requireIn(config.odom.yaw, -kTurn, kTurn, "odom/yaw");
+  problems.within("odom/x", config.odom.x, -kFar, kFar);
+  problems.within("odom/y", config.odom.y, -kFar, kFar);
+  problems.within("odom/yaw", config.odom.yaw, -kTurn, kTurn);
 }
 
 /// Reads what stands in the tree over what stands in the configuration.
@@ -184,9 +155,7 @@ SimulatorConfig simulatorConfigFromYaml(const YAML::Node& tree) {
   checkDrive(config, problems);
   checkTime(config, problems);
   checkFrames(config, problems);
-  for (const std::string& problem : validate(config.signals)) {
-    problems.add(problem);
-  }
+  problems.add(validate(config.signals));
   problems.throwIfAny();
   return config;
 }

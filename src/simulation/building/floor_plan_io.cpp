@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "base/validation.h"
 #include "files/map_server.h"
 #include "files/text.h"
 #include "grid/morphology.h"
@@ -144,28 +145,19 @@ Grid<CellState> readStates(const std::string& file, const PlanOptions& options) 
 }  // namespace
 
 std::vector<std::string> validate(const PlanOptions& options) {
-  std::vector<std::string> problems;
-  const auto require = [&](bool holds, const char* problem) {
-    if (!holds) {
-      problems.emplace_back(problem);
-    }
-  };
-  const auto is_length = [](double value) { return value >= 0.001 && value <= 10.0; };
-  require(is_length(options.resolution), "resolution must lie in 0.001..10 m");
-  require(!options.metres_per_pixel || is_length(*options.metres_per_pixel),
-          "metres_per_pixel must lie in 0.001..10");
-  require(options.dark > 0.0 && options.dark < 1.0, "dark must lie between 0 and 1");
-  return problems;
+  constexpr double kLeast = 0.001, kMost = 10.0;  // [m]
+  Problems problems;
+  problems.within("resolution", options.resolution, kLeast, kMost, "m");
+  if (options.metres_per_pixel) {
+    problems.within("metres_per_pixel", *options.metres_per_pixel, kLeast, kMost, "m");
+  }
+  problems.require(options.dark > 0.0 && options.dark < 1.0, "dark", options.dark,
+                   "between 0 and 1");
+  return problems.list();
 }
 
 FloorPlan readFloorPlan(const std::string& file, const PlanOptions& options) {
-  std::string problems;
-  for (const std::string& problem : validate(options)) {
-    problems += (problems.empty() ? "" : "\n") + problem;
-  }
-  if (!problems.empty()) {
-    throw InputError(problems);
-  }
+  throwIfAny(validate(options));
   const Grid<CellState> states = readStates(file, options);
   if (static_cast<std::int64_t>(states.cells.size()) > kMostCells) {
     throw InputError(file + ": the plan has more than 64 million cells");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/validation.h"
 #include "grid/for_each_cell.h"
 #include "simulation/building/floor_layout.h"
 #include "structure_from_wifi/input_error.h"
@@ -118,17 +119,12 @@ BuildingKind parseBuildingKind(std::string_view name) {
 }
 
 std::vector<std::string> validate(const PlanGeneratorConfig& config) {
-  std::vector<std::string> problems;
-  if (!(config.area >= 30.0 && config.area <= 400.0)) {
-    problems.emplace_back("area must lie in 30..400 m2");
-  }
-  if (!(config.resolution >= 0.01 && config.resolution <= 0.1)) {
-    problems.emplace_back("resolution must lie in 0.01..0.1 m");
-  }
-  if (!std::isfinite(config.rotation_rad)) {
-    problems.emplace_back("rotation_rad must be finite");
-  }
-  return problems;
+  Problems problems;
+  problems.within("area", config.area, 30.0, 400.0, "m2");
+  problems.within("resolution", config.resolution, 0.01, 0.1, "m");
+  problems.require(std::isfinite(config.rotation_rad), "rotation_rad", config.rotation_rad,
+                   "finite");
+  return problems.list();
 }
 
 std::string toText(RoomKind kind) {
@@ -160,13 +156,7 @@ std::string toText(RoomKind kind) {
 }
 
 GeneratedPlan generatePlan(const PlanGeneratorConfig& config) {
-  std::string problems;
-  for (const std::string& problem : validate(config)) {
-    problems += (problems.empty() ? "" : "\n") + problem;
-  }
-  if (!problems.empty()) {
-    throw InputError(problems);
-  }
+  throwIfAny(validate(config));
   const Building building = build(config);
   const Eigen::Rotation2Dd map_from_building(config.rotation_rad);
   GeneratedPlan generated{rasterised(building, config, map_from_building), {}};

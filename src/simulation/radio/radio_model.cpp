@@ -8,7 +8,7 @@
 #include "base/limited_loss.h"
 #include "base/random.h"
 #include "base/random_streams.h"
-#include "base/range_check.h"
+#include "base/validation.h"
 #include "structure_from_wifi/input_error.h"
 
 namespace sfw {
@@ -35,13 +35,7 @@ void requireUsable(const FloorPlan& plan, const std::vector<Transmitter>& transm
       problems.push_back(outsideText(transmitter.access_point));
     }
   }
-  std::string text;
-  for (const std::string& problem : problems) {
-    text += (text.empty() ? "" : "\n") + problem;
-  }
-  if (!text.empty()) {
-    throw InputError(text);
-  }
+  throwIfAny(problems);
 }
 
 }  // namespace
@@ -154,27 +148,26 @@ std::optional<double> RadioModel::rssi(std::size_t access_point, const RobotPose
 }
 
 std::vector<std::string> validate(const RadioModel::Config& config) {
-  std::vector<std::string> problems;
-  const RangeCheck require(problems);
+  Problems problems;
   constexpr double kMostLoss = 100.0, kMostDeviation = 30.0;
-  require(config.rssi_at_1m, -119.0, 0.0, "rssi_at_1m");
-  require(config.exponent, 0.0, 10.0, "exponent");
-  require(config.interior_wall_loss, 0.0, kMostLoss, "interior_wall_loss");
-  require(config.interior_wall_variation, 0.0, kMostDeviation, "interior_wall_variation");
-  require(config.outer_wall_loss, 0.0, kMostLoss, "outer_wall_loss");
-  require(config.outer_wall_variation, 0.0, kMostDeviation, "outer_wall_variation");
-  require(config.saturation, 0.0, 1000.0, "saturation");
-  require(config.shadowing, 0.0, kMostDeviation, "shadowing");
-  require(config.shadowing_distance, 0.01, 1000.0, "shadowing_distance");
-  require(config.sample_noise, 0.0, kMostDeviation, "sample_noise");
-  require(config.access_point_pattern, 0.0, kMostDeviation, "access_point_pattern");
-  require(config.robot_pattern, 0.0, kMostDeviation, "robot_pattern");
-  require(config.furniture, 0.0, kMostLoss, "furniture");
-  require(config.step, 0.0, 10.0, "step");
-  require(config.antenna_height, 0.0, 10.0, "antenna_height");
-  require(config.sensitivity, -119.0, 0.0, "sensitivity");
-  require(config.missed, 0.0, 1.0, "missed");
-  return problems;
+  problems.within("rssi_at_1m", config.rssi_at_1m, -119.0, 0.0);
+  problems.within("exponent", config.exponent, 0.0, 10.0);
+  problems.within("interior_wall_loss", config.interior_wall_loss, 0.0, kMostLoss);
+  problems.within("interior_wall_variation", config.interior_wall_variation, 0.0, kMostDeviation);
+  problems.within("outer_wall_loss", config.outer_wall_loss, 0.0, kMostLoss);
+  problems.within("outer_wall_variation", config.outer_wall_variation, 0.0, kMostDeviation);
+  problems.within("saturation", config.saturation, 0.0, 1000.0);
+  problems.within("shadowing", config.shadowing, 0.0, kMostDeviation);
+  problems.within("shadowing_distance", config.shadowing_distance, 0.01, 1000.0);
+  problems.within("sample_noise", config.sample_noise, 0.0, kMostDeviation);
+  problems.within("access_point_pattern", config.access_point_pattern, 0.0, kMostDeviation);
+  problems.within("robot_pattern", config.robot_pattern, 0.0, kMostDeviation);
+  problems.within("furniture", config.furniture, 0.0, kMostLoss);
+  problems.within("step", config.step, 0.0, 10.0);
+  problems.within("antenna_height", config.antenna_height, 0.0, 10.0);
+  problems.within("sensitivity", config.sensitivity, -119.0, 0.0);
+  problems.within("missed", config.missed, 0.0, 1.0);
+  return problems.list();
 }
 
 }  // namespace sfw

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/constants.h"
+#include "base/validation.h"
 #include "grid/segment.h"
 #include "structure_from_wifi/input_error.h"
 
@@ -17,16 +18,6 @@ namespace {
 void requirePositive(double value, const char* name) {
   if (!(std::isfinite(value) && value > 0.0)) {
     throw std::invalid_argument(std::string(name) + " must be finite and positive");
-  }
-}
-
-void throwIfAny(const std::vector<std::string>& problems) {
-  std::string text;
-  for (const std::string& problem : problems) {
-    text += (text.empty() ? "" : "\n") + problem;
-  }
-  if (!text.empty()) {
-    throw InputError(text);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <unordered_map>
 
+#include "base/validation.h"
 #include "grid/for_each_cell.h"
 #include "simulation/robot/configuration_space.h"
 #include "simulation/robot/route_strokes.h"
@@ -224,28 +225,18 @@ std::vector<Cell> withSomewhereToGo(std::vector<Cell> route, const Configuration
 }  // namespace
 
 std::vector<std::string> validate(const RoutePlannerConfig& config) {
-  std::vector<std::string> problems;
-  if (!(config.robot_radius >= 0.01 && config.robot_radius <= 5.0)) {
-    problems.emplace_back("robot_radius must lie in 0.01..5 m");
-  }
-  if (!(config.clearance >= 0.0 && config.clearance <= 5.0)) {
-    problems.emplace_back("clearance must lie in 0..5 m");
-  }
+  Problems problems;
+  problems.within("robot_radius", config.robot_radius, 0.01, 5.0, "m");
+  problems.within("clearance", config.clearance, 0.0, 5.0, "m");
   if (config.start && !(config.start->array().abs() <= 1e6).all()) {
-    problems.emplace_back("start must be finite and within 1000 km of the origin");
+    problems.add("start must be finite and within 1000 km of the origin");
   }
-  return problems;
+  return problems.list();
 }
 
 std::vector<Position> planRoute(const Grid<CellState>& plan, RouteKind kind,
                                 const RoutePlannerConfig& config) {
-  std::string problems;
-  for (const std::string& problem : validate(config)) {
-    problems += (problems.empty() ? "" : "\n") + problem;
-  }
-  if (!problems.empty()) {
-    throw InputError(problems);
-  }
+  throwIfAny(validate(config));
   ConfigurationSpace space(plan, config.robot_radius);
   const Cell start = chooseStart(space, config);
   space.keepConnectedTo(start);

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <limits>
 
-#include "base/range_check.h"
+#include "base/validation.h"
 #include "structure_from_wifi/input_error.h"
 
 namespace sfw {
@@ -84,27 +84,21 @@ double wayUntilOverlap(const Position& from, const Position& direction, const Bo
 }  // namespace
 
 std::vector<std::string> validate(const SimulatedRobot::Config& config) {
-  std::vector<std::string> problems;
-  const RangeCheck require(problems);
-  require(config.radius, 0.01, 10.0, "radius");
-  require(config.max_speed, 0.01, 10.0, "max_speed");
-  require(config.max_yaw_rate, 0.01, 100.0, "max_yaw_rate");
-  require(config.acceleration, 0.01, 1000.0, "acceleration");
-  require(config.yaw_acceleration, 0.01, 10000.0, "yaw_acceleration");
-  require(config.command_timeout, 0.0, 3600.0, "command_timeout");
-  return problems;
+  Problems problems;
+  problems.within("radius", config.radius, 0.01, 10.0);
+  problems.within("max_speed", config.max_speed, 0.01, 10.0);
+  problems.within("max_yaw_rate", config.max_yaw_rate, 0.01, 100.0);
+  problems.within("acceleration", config.acceleration, 0.01, 1000.0);
+  problems.within("yaw_acceleration", config.yaw_acceleration, 0.01, 10000.0);
+  problems.within("command_timeout", config.command_timeout, 0.0, 3600.0);
+  return problems.list();
 }
 
 SimulatedRobot::SimulatedRobot(const Grid<CellState>& plan, const RobotPose& start,
                                const Config& config)
     : plan_(plan), config_(config), pose_(start) {
+  throwIfAny(validate(config));
   std::string text;
-  for (const std::string& problem : validate(config)) {
-    text += (text.empty() ? "" : "\n") + problem;
-  }
-  if (!text.empty()) {
-    throw InputError(text);
-  }
   forEachObstacle(Box(start.position), config.radius, [&](const Box& square) {
     if (text.empty() && square.exteriorDistance(start.position) < config.radius) {
       char words[160];

@@ -162,9 +162,9 @@ TEST_F(PlanIo, ListsEveryBadOption) {
   options.metres_per_pixel = std::nan("");
   options.dark = 1.0;
   EXPECT_EQ(complaint("plan.json", options),
-            "resolution must lie in 0.001..10 m\n"
-            "metres_per_pixel must lie in 0.001..10\n"
-            "dark must lie between 0 and 1");
+            "resolution must lie in 0.001..10 m; it is 0\n"
+            "metres_per_pixel must lie in 0.001..10 m; it is nan\n"
+            "dark must be between 0 and 1; it is 1");
 }
 
 // ---- Real plans ----

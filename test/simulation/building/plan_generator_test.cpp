@@ -209,9 +209,9 @@ TEST(PlanGenerator, ListsEveryBadSetting) {
     FAIL() << "nothing thrown";
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),
-                 "area must lie in 30..400 m2\n"
-                 "resolution must lie in 0.01..0.1 m\n"
-                 "rotation_rad must be finite");
+                 "area must lie in 30..400 m2; it is 29\n"
+                 "resolution must lie in 0.01..0.1 m; it is 0.2\n"
+                 "rotation_rad must be finite; it is nan");
   }
 }
 

@@ -210,9 +210,9 @@ TEST(RadioModel, NamesEverySettingOutOfRange) {
   EXPECT_EQ(messageOf([&] {
               RadioModel(emptyHall(), oneAt({10, 80}), config);
             }),
-            "exponent must lie in 0..10\n"
-            "sample_noise must lie in 0..30\n"
-            "missed must lie in 0..1\n"
+            "exponent must lie in 0..10; it is -1\n"
+            "sample_noise must lie in 0..30; it is nan\n"
+            "missed must lie in 0..1; it is 1.5\n"
             "access point 02:00:00:00:00:01 at (10.00, 80.00) is outside the plan");
 }
 

@@ -220,8 +220,8 @@ TEST(RoutePlanner, ListsEveryBadSetting) {
   config.clearance = -1.0;
   config.start = Position(std::nan(""), 0.0);
   EXPECT_EQ(messageOf([&] { planRoute(threeRooms(), RouteKind::kWalls, config); }),
-            "robot_radius must lie in 0.01..5 m\n"
-            "clearance must lie in 0..5 m\n"
+            "robot_radius must lie in 0.01..5 m; it is 0\n"
+            "clearance must lie in 0..5 m; it is -1\n"
             "start must be finite and within 1000 km of the origin");
 }
 

@@ -130,12 +130,12 @@ TEST(SimulatedRobot, NamesEverySettingOutOfRange) {
   config.yaw_acceleration = 0.0;
   config.command_timeout = -1.0;
   EXPECT_EQ(problemOf({{2, 1}, 0.0}, config),
-            "radius must lie in 0.01..10\n"
-            "max_speed must lie in 0.01..10\n"
-            "max_yaw_rate must lie in 0.01..100\n"
-            "acceleration must lie in 0.01..1000\n"
-            "yaw_acceleration must lie in 0.01..10000\n"
-            "command_timeout must lie in 0..3600");
+            "radius must lie in 0.01..10; it is 0\n"
+            "max_speed must lie in 0.01..10; it is nan\n"
+            "max_yaw_rate must lie in 0.01..100; it is -1\n"
+            "acceleration must lie in 0.01..1000; it is 0\n"
+            "yaw_acceleration must lie in 0.01..10000; it is 0\n"
+            "command_timeout must lie in 0..3600; it is -1");
 }
 
 }  // namespace
