@@ -39,9 +39,9 @@ double milliseconds(Work&& work) {
 Grid<CellState> tiledOffice(std::int64_t side) {
   PlanGeneratorConfig config;
   config.kind = BuildingKind::kOffice;
-  config.area = 300.0;
+  config.area_m2 = 300.0;
   const Grid<CellState> tile = toStates(generatePlan(config).plan);
-  Grid<CellState> plan(GridGeometry(config.resolution, Position::Zero(), side, side));
+  Grid<CellState> plan(GridGeometry(config.resolution_m, Position::Zero(), side, side));
   forEachCell(plan.geometry, [&](Cell c) {
     plan[c] = tile[{c.x % tile.geometry.width(), c.y % tile.geometry.height()}];
   });

@@ -56,16 +56,17 @@ double cpuSeconds(Work&& work, int repetitions = kRepetitions) {
 Scenario longDrive() {
   PlanGeneratorConfig building;
   building.kind = BuildingKind::kOffice;
-  building.area = 400.0;
+  building.area_m2 = 400.0;
   ScenarioConfig config;
   config.access_points = 3;
-  config.robot_radius = kRobotRadius;
+  config.robot_radius_m = kRobotRadius;
   Scenario scenario = makeScenario(generatePlan(building).plan, {}, config);
   const Grid<CellState> states = toStates(scenario.plan);
   for (const double clearance : {0.3, 0.2, 0.4}) {
     for (const RouteKind kind : {RouteKind::kSparse, RouteKind::kWalls}) {
       const RecordingConfig& recording = scenario.recording;
-      if (Route(scenario.way_points, recording.speed, recording.yaw_rate).duration() < kLongest) {
+      if (Route(scenario.way_points, recording.speed_m_s, recording.yaw_rate_rad_s).duration() <
+          kLongest) {
         const std::vector<Position> lap =
             planRoute(states, kind, {kRobotRadius, clearance, scenario.way_points.back()});
         scenario.way_points.insert(scenario.way_points.end(), lap.begin() + 1, lap.end());
@@ -245,7 +246,7 @@ int main() {
       sfw::Mapper mapper(sfw::Config(), scenario.access_points);
       for (const sfw::Reading& reading : recording.readings) {
         if (static_cast<double>(reading.stamp_ns) * 1e-9 <
-            scenario.recording.start + minutes * sfw::kMinute) {
+            scenario.recording.start_s + minutes * sfw::kMinute) {
           mapper.insert(reading);
         }
       }

@@ -96,7 +96,7 @@ void measure(const std::string& name, const std::vector<AccessPointBins>& heard,
 void measureOffice(std::size_t count, std::int64_t access_points) {
   PlanGeneratorConfig building;
   building.kind = BuildingKind::kOffice;
-  building.area = 400.0;
+  building.area_m2 = 400.0;
   const FloorPlan plan = generatePlan(building).plan;
   const RadioModel radio(plan, asTransmitters(placeAccessPoints(plan, access_points, 1)),
                          levelRadio(NoiseLevel::kRealistic, 1));

@@ -44,7 +44,7 @@ FloorPlan buildingFor(std::size_t drive, std::int64_t seed, const std::vector<Fl
   PlanGeneratorConfig config;
   config.seed = static_cast<std::uint64_t>(seed);
   config.kind = random.uniform() < 0.25 ? BuildingKind::kOffice : BuildingKind::kFlat;
-  config.area = random.uniform(35.0, 135.0);
+  config.area_m2 = random.uniform(35.0, 135.0);
   config.rotation_rad = random.uniform() < 0.5 ? 0.0 : random.uniform(0.0, 1.57);
   return generatePlan(config).plan;
 }

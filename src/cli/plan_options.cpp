@@ -16,7 +16,7 @@ FloorPlan PlanArgument::read() const {
 
 void addPlanOptions(Options& options, PlanArgument& plan) {
   options.add("plan", "FILE", plan.file, "floor plan: map_server YAML, HouseExpo JSON, or PNG");
-  options.add("resolution", "METRES", plan.options.resolution,
+  options.add("resolution", "METRES", plan.options.resolution_m,
               "edge of a cell of a plan drawn in metres (HouseExpo) [m]");
   options.add("metres-per-pixel", "METRES", plan.metres_per_pixel,
               "scale of a PNG [m]; 0 leaves it out");
@@ -31,8 +31,8 @@ FloorPlan BuildingArgument::make(std::int64_t seed) const {
   }
   PlanGeneratorConfig config;
   config.kind = parseBuildingKind(generate);
-  config.area = area;
-  config.resolution = plan.options.resolution;
+  config.area_m2 = area_m2;
+  config.resolution_m = plan.options.resolution_m;
   config.seed = static_cast<std::uint64_t>(seed);
   return generatePlan(config).plan;
 }
@@ -40,7 +40,7 @@ FloorPlan BuildingArgument::make(std::int64_t seed) const {
 void addBuildingOptions(Options& options, BuildingArgument& building) {
   addPlanOptions(options, building.plan);
   options.add("generate", "KIND", building.generate, "generate a building: flat or office");
-  options.add("area", "M2", building.area, "area of a generated building [m2], in 30..400");
+  options.add("area", "M2", building.area_m2, "area of a generated building [m2], in 30..400");
 }
 
 Position parsePosition(const std::string& option, const std::string& text) {

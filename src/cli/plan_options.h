@@ -27,7 +27,7 @@ void addPlanOptions(Options& options, PlanArgument& plan);
 struct BuildingArgument {
   PlanArgument plan;
   std::string generate;  ///< "flat", "office", or empty: not given
-  double area = PlanGeneratorConfig().area;
+  double area_m2 = PlanGeneratorConfig().area_m2;
 
   /// @param seed  of a building made up
   /// @throw InputError as readFloorPlan and generatePlan, or unless just one of the two is given

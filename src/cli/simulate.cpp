@@ -62,7 +62,7 @@ void runSimulate(Options& options) {
                      "number of access points to place if no --access-point is given");
   options.add("noise", "LEVEL", simulate.noise, "none, low, ideal, realistic or hard");
   options.add("path", "PATH", simulate.scenario.path, "walls, sparse or a CSV of way points");
-  options.add("robot-radius", "METRES", simulate.scenario.robot_radius, "radius of the robot [m]");
+  options.add("robot-radius", "METRES", simulate.scenario.robot_radius_m, "radius of the robot [m]");
   options.add("seed", "N", simulate.scenario.seed, "seed of everything random");
   options.addFlag("bag", simulate.bag, "also write recording.bag");
   options.addRequired("output", "DIRECTORY", simulate.output,

@@ -53,12 +53,12 @@ std::vector<Position> wayPoints(const FloorPlan& plan, const ScenarioConfig& con
   const Grid<CellState> states = toStates(plan);
   if (config.path != "walls" && config.path != "sparse") {
     const std::vector<Position> way_points = readWayPoints(config.path);
-    requireFree(states, way_points, config.robot_radius);
+    requireFree(states, way_points, config.robot_radius_m);
     return way_points;
   }
   RoutePlannerConfig planner;
-  planner.robot_radius = config.robot_radius;
-  planner.clearance = levelClearance(config.level, config.seed);
+  planner.robot_radius_m = config.robot_radius_m;
+  planner.clearance_m = levelClearance(config.level, config.seed);
   return planRoute(states, config.path == "walls" ? RouteKind::kWalls : RouteKind::kSparse,
                    planner);
 }

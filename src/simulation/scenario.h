@@ -24,7 +24,7 @@ struct Scenario {
 struct ScenarioConfig {
   NoiseLevel level = NoiseLevel::kRealistic;
   std::string path = "walls";      ///< "walls", "sparse" or a CSV file of way points
-  double robot_radius = 0.15;      ///< [m]
+  double robot_radius_m = 0.15;    ///< [m]
   std::int64_t seed = 1;           ///< decides all that is random
   std::int64_t access_points = 1;  ///< how many to place, if none are given
 };

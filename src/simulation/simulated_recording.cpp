@@ -31,7 +31,7 @@ struct Chance {
 std::vector<Chance> chancesToHear(std::size_t access_points, double duration_s,
                                   const RecordingConfig& config) {
   const bool scans = config.listening == Listening::kScans;
-  const double period_s = scans ? config.scan_period : 1.0 / config.link_rate;
+  const double period_s = scans ? config.scan_period_s : 1.0 / config.link_rate_hz;
   std::vector<Chance> chances;
   for (std::size_t i = 0; i < access_points; ++i) {
     const double channel =
@@ -55,24 +55,24 @@ std::vector<Chance> chancesToHear(std::size_t access_points, double duration_s,
 
 std::vector<std::string> validate(const RecordingConfig& config) {
   Problems problems;
-  problems.within("speed", config.speed, 0.01, 10.0);
-  problems.within("yaw_rate", config.yaw_rate, 0.01, 100.0);
-  problems.within("link_rate", config.link_rate, 0.01, 1000.0);
-  problems.within("scan_period", config.scan_period, 0.01, 1000.0);
-  problems.within("start", config.start, 0.0, 9e9);
-  problems.within("registration_error", config.registration_error, 0.0, 10.0);
-  problems.within("registration_distance", config.registration_distance, 0.01, 1000.0);
+  problems.within("speed", config.speed_m_s, 0.01, 10.0);
+  problems.within("yaw_rate", config.yaw_rate_rad_s, 0.01, 100.0);
+  problems.within("link_rate", config.link_rate_hz, 0.01, 1000.0);
+  problems.within("scan_period", config.scan_period_s, 0.01, 1000.0);
+  problems.within("start", config.start_s, 0.0, 9e9);
+  problems.within("registration_error", config.registration_error_m, 0.0, 10.0);
+  problems.within("registration_distance", config.registration_distance_m, 0.01, 1000.0);
   problems.within("drift", config.drift, 0.0, 1.0);
   problems.add(validate(config.radio), "radio/");
   return problems.list();
 }
 
 PositionError::PositionError(const RecordingConfig& config)
-    : registration_error_(config.registration_error),
+    : registration_error_(config.registration_error_m),
       drift_(config.drift),
-      registration_x_(RandomField::Kind::kSmooth, config.registration_distance, config.radio.seed,
+      registration_x_(RandomField::Kind::kSmooth, config.registration_distance_m, config.radio.seed,
                       streamOf(Purpose::kErrorX)),
-      registration_y_(RandomField::Kind::kSmooth, config.registration_distance, config.radio.seed,
+      registration_y_(RandomField::Kind::kSmooth, config.registration_distance_m, config.radio.seed,
                       streamOf(Purpose::kErrorY)),
       drift_x_(RandomField::Kind::kSmooth, kDriftTurns, config.radio.seed,
                streamOf(Purpose::kDriftX)),
@@ -96,7 +96,7 @@ Position PositionError::drift(double driven_m) const {
 
 SimulatedDrive::SimulatedDrive(const std::vector<Position>& way_points,
                                const RecordingConfig& config)
-    : route_(way_points, usable(config).speed, config.yaw_rate), error_(config) {}
+    : route_(way_points, usable(config).speed_m_s, config.yaw_rate_rad_s), error_(config) {}
 
 RobotPose SimulatedDrive::reportedPose(double time_s) const {
   RobotPose pose = route_.poseAt(time_s);
@@ -119,7 +119,7 @@ SimulatedRecording simulateRecording(const FloorPlan& plan, const std::vector<Po
       continue;
     }
     Reading reading;
-    reading.stamp_ns = std::llround((config.start + chance.time_s) * 1e9);
+    reading.stamp_ns = std::llround((config.start_s + chance.time_s) * 1e9);
     reading.antenna_in_map = drive.reportedPose(chance.time_s).position;
     reading.bssid = transmitters[chance.access_point].access_point.bssid;
     reading.rssi_dbm = *rssi_dbm;

@@ -20,18 +20,18 @@ enum class Listening : std::uint8_t {
 
 /// How a recording is made. All that is random follows from `radio.seed`.
 struct RecordingConfig {
-  double speed = 0.5;     ///< [m/s]
-  double yaw_rate = 2.0;  ///< of turns on the spot [rad/s]
+  double speed_m_s = 0.5;       ///< [m/s]
+  double yaw_rate_rad_s = 2.0;  ///< of turns on the spot [rad/s]
   Listening listening = Listening::kLink;
-  double link_rate = 5.0;    ///< samples a second, measured 5 to 20 [Hz]
-  double scan_period = 2.0;  ///< of a full scan, measured 1 to 4 [s]
-  double start = 1000.0;     ///< stamp at the start of the drive [s]; 0 is no time to ROS
+  double link_rate_hz = 5.0;   ///< samples a second, measured 5 to 20 [Hz]
+  double scan_period_s = 2.0;  ///< of a full scan, measured 1 to 4 [s]
+  double start_s = 1000.0;     ///< stamp at the start of the drive [s]; 0 is no time to ROS
 
   /// Error of the reported positions: standard deviation on each axis, a smooth function of the
   /// true position, as from maps that register slightly wrong, so a place has the same one on
   /// every visit (.03 to .18) [m].
-  double registration_error = 0.0;
-  double registration_distance = 3.0;  ///< its correlation falls to 1/e here [m]
+  double registration_error_m = 0.0;
+  double registration_distance_m = 3.0;  ///< its correlation falls to 1/e here [m]
 
   /// Error that grows with the way driven, as of odometry alone: its root mean square as a share
   /// of that way. It changes its direction slowly, over some ten metres.

@@ -26,12 +26,12 @@ NoiseLevel chooseLevel(Random& random) {
 /// Wider than the levels: losses of walls in homes were measured from 1.4 to 8.3 dB, and the first
 /// fits of their saturation, shadowing and its reach differ as much.
 void varyRadio(NoiseLevel level, RadioModel::Config& radio, Random& random) {
-  radio.interior_wall_loss = random.uniform(2.0, 11.0);
-  radio.outer_wall_loss = radio.interior_wall_loss * random.uniform(1.0, 2.0);
-  radio.shadowing = random.uniform(2.0, 6.0);
-  radio.shadowing_distance = random.uniform(0.4, 1.6);
+  radio.interior_wall_loss_db = random.uniform(2.0, 11.0);
+  radio.outer_wall_loss_db = radio.interior_wall_loss_db * random.uniform(1.0, 2.0);
+  radio.shadowing_db = random.uniform(2.0, 6.0);
+  radio.shadowing_distance_m = random.uniform(0.4, 1.6);
   if (level != NoiseLevel::kModerate) {
-    radio.saturation = random.uniform(8.0, 22.0);
+    radio.max_obstacle_loss_db = random.uniform(8.0, 22.0);
   }
 }
 
@@ -93,7 +93,7 @@ std::optional<TrainingDrive> makeTrainingDrive(const FloorPlan& plan, DrivingSty
   config.level = chooseLevel(random);
   config.path = style == DrivingStyle::kAlongWalls ? "walls" : "sparse";
   config.access_points = 1 + static_cast<std::int64_t>(random.uniform(0.0, 4.99));
-  config.robot_radius = random.uniform(0.01, 0.15);
+  config.robot_radius_m = random.uniform(0.01, 0.15);
   const bool strolls = style == DrivingStyle::kStroll;
   const bool covers_all = !happens(strolls ? 0.25 : 0.6, random);
 
@@ -113,9 +113,9 @@ std::optional<TrainingDrive> makeTrainingDrive(const FloorPlan& plan, DrivingSty
     Scenario scenario = makeScenario(furnished, {}, config);
     if (style == DrivingStyle::kAlongWalls && happens(0.7, random)) {
       scenario.way_points =
-          withHumanSteering(scenario.way_points, furnished, config.robot_radius + 0.03, random);
+          withHumanSteering(scenario.way_points, furnished, config.robot_radius_m + 0.03, random);
     } else if (strolls) {
-      const double clearance = config.robot_radius + random.uniform(0.0, 0.6);
+      const double clearance = config.robot_radius_m + random.uniform(0.0, 0.6);
       scenario.way_points = withRandomWalks(scenario.way_points, furnished, clearance, random);
     }
     varyRadio(config.level, scenario.recording.radio, random);

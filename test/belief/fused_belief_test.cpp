@@ -27,7 +27,7 @@ struct World {
 World flat(NoiseLevel level, std::int64_t seed) {
   PlanGeneratorConfig building;
   building.seed = static_cast<std::uint64_t>(seed);
-  building.area = 60.0;
+  building.area_m2 = 60.0;
   ScenarioConfig config;
   config.level = level;
   config.seed = seed;
@@ -209,7 +209,7 @@ TEST(ShippedBelief, IsCalibratedOnDrivesThatItWasNotFittedTo) {
     const std::int64_t seed = 990000 + i;  // `sfw fit --seed 1` takes 1000000 and up
     PlanGeneratorConfig building;
     building.seed = static_cast<std::uint64_t>(seed);
-    building.area = 40.0 + 1.3 * i;
+    building.area_m2 = 40.0 + 1.3 * i;
     const auto style = static_cast<DrivingStyle>(i % kDrivingStyles);
     const auto drive = makeTrainingDrive(generatePlan(building).plan, style, seed);
     if (!drive) {

@@ -14,7 +14,7 @@ namespace {
 /// A drive through a small flat without noise.
 Scenario drive() {
   PlanGeneratorConfig plan;
-  plan.area = 40.0;
+  plan.area_m2 = 40.0;
   ScenarioConfig scenario;
   scenario.level = NoiseLevel::kNone;
   return makeScenario(generatePlan(plan).plan, {}, scenario);

@@ -57,10 +57,10 @@ TEST(SimulatorConfig, ShippedFileLeavesTheRadioToTheNoiseLevel) {
   file["seed"] = 5;
   const RecordingConfig hard = levelConfig(NoiseLevel::kHard, 5);
   const SimulatorConfig config = simulatorConfigFromYaml(file);
-  EXPECT_EQ(config.signals.radio.shadowing, 5.0);
+  EXPECT_EQ(config.signals.radio.shadowing_db, 5.0);
   EXPECT_EQ(config.signals.radio.exponent, hard.radio.exponent);
-  EXPECT_EQ(config.signals.registration_error, hard.registration_error);
-  EXPECT_GT(config.signals.registration_error, 0.0);
+  EXPECT_EQ(config.signals.registration_error_m, hard.registration_error_m);
+  EXPECT_GT(config.signals.registration_error_m, 0.0);
 }
 
 TEST(SimulatorConfig, WhatIsGivenWinsOverTheNoiseLevel) {
@@ -68,8 +68,8 @@ TEST(SimulatorConfig, WhatIsGivenWinsOverTheNoiseLevel) {
   tree["noise"] = "none";
   tree["radio"]["shadowing"] = 4.0;
   const SimulatorConfig config = simulatorConfigFromYaml(tree);
-  EXPECT_EQ(config.signals.radio.shadowing, 4.0);
-  EXPECT_EQ(config.signals.radio.sample_noise, 0.0);
+  EXPECT_EQ(config.signals.radio.shadowing_db, 4.0);
+  EXPECT_EQ(config.signals.radio.sample_noise_db, 0.0);
 }
 
 TEST(SimulatorConfig, ReadsGroupsOverDefaults) {
@@ -81,8 +81,8 @@ TEST(SimulatorConfig, ReadsGroupsOverDefaults) {
   EXPECT_EQ(config.plan, "p.yaml");
   EXPECT_EQ(config.signals.radio.exponent, 2.5);
   EXPECT_EQ(config.signals.radio.seed, 42);
-  EXPECT_EQ(config.odom.yaw, 1.0);
-  EXPECT_EQ(config.robot.max_speed, SimulatorConfig().robot.max_speed);
+  EXPECT_EQ(config.odom.yaw_rad, 1.0);
+  EXPECT_EQ(config.robot.max_speed_m_s, SimulatorConfig().robot.max_speed_m_s);
   ASSERT_EQ(config.access_points.size(), 1U);
   EXPECT_EQ(config.access_points[0].position, Position(1, 2));
 }

@@ -12,7 +12,7 @@ const std::vector<Position> kWayPoints{{1, 1}, {9, 1}, {9, 6}};
 SimulatorConfig configWith(double registration_error, double drift) {
   SimulatorConfig config;
   config.odom = {2.0, -1.0, 0.7};
-  config.signals.registration_error = registration_error;
+  config.signals.registration_error_m = registration_error;
   config.signals.drift = drift;
   return config;
 }
@@ -27,7 +27,7 @@ Eigen::Isometry2d transformOf(const geometry_msgs::TransformStamped& message) {
 
 std::vector<geometry_msgs::TransformStamped> messagesAt(const SimulatorConfig& config,
                                                         double time_s) {
-  const Route route(kWayPoints, config.robot.max_speed, config.robot.max_yaw_rate);
+  const Route route(kWayPoints, config.robot.max_speed_m_s, config.robot.max_yaw_rate_rad_s);
   return transformMessages(config, PositionError(config.signals), ros::Time(7.0),
                            route.poseAt(time_s), route.drivenAt(time_s));
 }
@@ -53,7 +53,7 @@ TEST(SimulatorTransforms, WithoutErrorsTellTheTruth) {
 
 TEST(SimulatorTransforms, ErrAsARecordingDoes) {
   SimulatorConfig config = configWith(0.1, 0.05);
-  config.signals.speed = config.robot.max_speed;
+  config.signals.speed_m_s = config.robot.max_speed_m_s;
   const SimulatedDrive drive(kWayPoints, config.signals);
   for (double time_s = 0.0; time_s < drive.duration(); time_s += 2.5) {
     const auto messages = messagesAt(config, time_s);

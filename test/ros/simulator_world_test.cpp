@@ -43,7 +43,7 @@ TEST_F(World, APlanAloneSuffices) {
   EXPECT_EQ(world.plan[geometry.cellAt({1.5, 1.5})], Material::kFree);
   EXPECT_EQ(world.plan[geometry.cellAt({3.05, 0.5})], Material::kInteriorWall);
   ASSERT_EQ(world.access_points.size(), 2U);
-  EXPECT_NO_THROW(requireFree(toStates(world.plan), world.way_points, config.robot.radius));
+  EXPECT_NO_THROW(requireFree(toStates(world.plan), world.way_points, config.robot.radius_m));
   bool left = false;
   bool right = false;
   for (const Position& place : world.way_points) {
@@ -70,12 +70,12 @@ TEST_F(World, PlacesAccessPointsAsTheCommandDoes) {
 TEST_F(World, MakesABuildingUpFromTheSeed) {
   SimulatorConfig config;
   config.generate = "office";
-  config.area = 120.0;
+  config.area_m2 = 120.0;
   config.route = "sparse";
   config.signals.radio.seed = 4;
   PlanGeneratorConfig office;
   office.kind = BuildingKind::kOffice;
-  office.area = 120.0;
+  office.area_m2 = 120.0;
   office.seed = 4;
   EXPECT_EQ(makeSimulatorWorld(config).plan.cells, generatePlan(office).plan.cells);
 }
@@ -86,8 +86,8 @@ TEST_F(World, ARouteMayKeepTheNoiseLevelsClearance) {
   config.signals.radio.seed = 3;
   const SimulatorWorld world = makeSimulatorWorld(config);
   RoutePlannerConfig planner;
-  planner.robot_radius = config.robot.radius;
-  planner.clearance = levelClearance(NoiseLevel::kHard, 3);
+  planner.robot_radius_m = config.robot.radius_m;
+  planner.clearance_m = levelClearance(NoiseLevel::kHard, 3);
   EXPECT_EQ(world.way_points, planRoute(toStates(world.plan), RouteKind::kWalls, planner));
 }
 
@@ -113,7 +113,7 @@ TEST_F(World, NamesTheFileThatIsWrong) {
 
 TEST_F(World, SaysThatTheRobotHasNoRoom) {
   SimulatorConfig config = twoRooms();
-  config.robot.radius = 2.0;
+  config.robot.radius_m = 2.0;
   EXPECT_EQ(problemOf(config).find("route walls: "), 0U) << problemOf(config);
 }
 

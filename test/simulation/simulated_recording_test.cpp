@@ -40,14 +40,14 @@ std::string messageOf(const std::function<void()>& action) {
 
 /// Seconds since the start.
 double timeOf(const Reading& reading, const RecordingConfig& config) {
-  return static_cast<double>(reading.stamp_ns) * 1e-9 - config.start;
+  return static_cast<double>(reading.stamp_ns) * 1e-9 - config.start_s;
 }
 
 // ---- When what is heard ----
 
 TEST(Recording, ALinkHearsEveryAccessPointAtItsRate) {
   RecordingConfig config;
-  config.link_rate = 10.0;
+  config.link_rate_hz = 10.0;
   const SimulatedRecording recording = recordingOf(config);
   const double duration = SimulatedDrive(kThroughTheWall, config).duration();
   const auto samples = static_cast<std::size_t>(std::floor(duration * 10.0)) + 1;
@@ -64,7 +64,7 @@ TEST(Recording, ALinkHearsEveryAccessPointAtItsRate) {
 TEST(Recording, AScanHearsEachAccessPointOnceAtItsOwnTime) {
   RecordingConfig config;
   config.listening = Listening::kScans;
-  config.scan_period = 3.0;
+  config.scan_period_s = 3.0;
   const SimulatedRecording recording = recordingOf(config);
   const double duration = SimulatedDrive(kThroughTheWall, config).duration();
   std::vector<std::vector<double>> times(2);
@@ -87,9 +87,9 @@ TEST(Recording, AScanHearsEachAccessPointOnceAtItsOwnTime) {
 
 TEST(Recording, LeavesOutWhatIsNotHeard) {
   RecordingConfig config;
-  config.link_rate = 20.0;
+  config.link_rate_hz = 20.0;
   const auto complete = static_cast<double>(recordingOf(config).readings.size());
-  config.radio.missed = 0.25;
+  config.radio.missed_share = 0.25;
   const SimulatedRecording recording = recordingOf(config);
   const double share = static_cast<double>(recording.readings.size()) / complete;
   EXPECT_NEAR(share, 0.75, 4.0 * std::sqrt(0.25 * 0.75 / complete));
@@ -121,7 +121,7 @@ TEST(Recording, TellsTruePosesAndWallCounts) {
 
 TEST(Recording, HearsAtTheTruePlaceNotAtTheReportedOne) {
   RecordingConfig exact, wrong;
-  wrong.registration_error = 0.5;
+  wrong.registration_error_m = 0.5;
   wrong.drift = 0.05;
   const SimulatedRecording a = recordingOf(exact), b = recordingOf(wrong);
   ASSERT_EQ(a.readings.size(), b.readings.size());
@@ -140,11 +140,11 @@ Position errorAt(const SimulatedDrive& drive, double time_s) {
 
 TEST(SimulatedDrive, RegistrationErrorIsASmoothFunctionOfPlace) {
   RecordingConfig config;
-  config.speed = 1.0;
-  config.registration_error = 0.1;
-  config.registration_distance = 3.0;
+  config.speed_m_s = 1.0;
+  config.registration_error_m = 0.1;
+  config.registration_distance_m = 3.0;
   // There and back with turns of a millisecond: a second is a metre.
-  config.yaw_rate = 100.0;
+  config.yaw_rate_rad_s = 100.0;
   std::vector<double> here, beside, far;
   for (config.radio.seed = 0; config.radio.seed < 500; ++config.radio.seed) {
     const SimulatedDrive drive({{5, 5}, {25, 5}, {5, 5}}, config);
@@ -165,7 +165,7 @@ TEST(SimulatedDrive, RegistrationErrorIsASmoothFunctionOfPlace) {
 
 TEST(SimulatedDrive, DriftGrowsWithTheWay) {
   RecordingConfig config;
-  config.speed = 1.0;
+  config.speed_m_s = 1.0;
   config.drift = 0.01;
   for (const double way_m : {2.0, 50.0}) {
     double squares = 0.0;
@@ -215,7 +215,7 @@ TEST(Recording, AnotherAccessPointChangesNothingForTheOthers) {
 
 TEST(Recording, GivesTheSameSignalsOnEveryMachine) {
   RecordingConfig config = levelConfig(NoiseLevel::kRealistic, 5);
-  config.link_rate = 0.25;
+  config.link_rate_hz = 0.25;
   std::vector<double> heard;
   for (const Reading& reading : recordingOf(config).readings) {
     heard.push_back(reading.rssi_dbm);
@@ -227,9 +227,9 @@ TEST(Recording, GivesTheSameSignalsOnEveryMachine) {
 
 TEST(Recording, NamesEverySettingOutOfRange) {
   RecordingConfig config;
-  config.speed = 0.0;
+  config.speed_m_s = 0.0;
   config.drift = NAN;
-  config.radio.step = -1.0;
+  config.radio.rssi_step_db = -1.0;
   EXPECT_EQ(messageOf([&] { recordingOf(config); }),
             "speed must lie in 0.01..10; it is 0\n"
             "drift must lie in 0..1; it is nan\n"

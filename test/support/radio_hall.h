@@ -47,9 +47,9 @@ inline std::vector<Transmitter> oneAt(const Position& position) {
 /// Nothing random, nothing rounded.
 inline RadioModel::Config quietRadio() {
   RadioModel::Config config;
-  config.shadowing = 0.0;
-  config.sample_noise = 0.0;
-  config.step = 0.0;
+  config.shadowing_db = 0.0;
+  config.sample_noise_db = 0.0;
+  config.rssi_step_db = 0.0;
   return config;
 }
 

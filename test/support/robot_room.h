@@ -10,12 +10,12 @@ namespace sfw::test {
 /// At full speed at once, whatever the speed, until told otherwise.
 inline SimulatedRobot::Config quick() {
   SimulatedRobot::Config config;
-  config.radius = 0.2;
-  config.max_speed = 10.0;
-  config.max_yaw_rate = 100.0;
-  config.acceleration = 1000.0;
-  config.yaw_acceleration = 1e4;
-  config.command_timeout = 0.0;
+  config.radius_m = 0.2;
+  config.max_speed_m_s = 10.0;
+  config.max_yaw_rate_rad_s = 100.0;
+  config.acceleration_m_s2 = 1000.0;
+  config.yaw_acceleration_rad_s2 = 1e4;
+  config.command_timeout_s = 0.0;
   return config;
 }
 

@@ -32,7 +32,7 @@ FloorPlan planOf(const std::string& name) {
   PlanGeneratorConfig config;
   config.seed = std::stoull(name.substr(sizeof kGenerated - 1));
   config.kind = config.seed % 3 == 0 ? BuildingKind::kOffice : BuildingKind::kFlat;
-  config.area = 40.0 + 20.0 * static_cast<double>(config.seed % 6);
+  config.area_m2 = 40.0 + 20.0 * static_cast<double>(config.seed % 6);
   return generatePlan(config).plan;
 }
 

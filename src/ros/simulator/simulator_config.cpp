@@ -53,9 +53,9 @@ void checkBuilding(const SimulatorConfig& config, Problems& problems) {
   if (!config.generate.empty() && config.generate != "flat" && config.generate != "office") {
     problems.add("generate must be flat or office");
   }
-  problems.within("resolution", config.resolution, 0.01, 0.1);
+  problems.within("resolution", config.resolution_m, 0.01, 0.1);
   problems.within("metres_per_pixel", config.metres_per_pixel, 0.0, 10.0);
-  problems.within("area", config.area, 30.0, 400.0);
+  problems.within("area", config.area_m2, 30.0, 400.0);
   problems.within("access_point_count", static_cast<double>(config.access_point_count), 1.0, 100.0);
 }
 
@@ -67,25 +67,25 @@ void checkDrive(const SimulatorConfig& config, Problems& problems) {
     problems.add("drive must be route or cmd_vel");
   }
   const SimulatedRobot::Config& robot = config.robot;
-  problems.within("speed", robot.max_speed, 0.01, 10.0);
-  problems.within("yaw_rate", robot.max_yaw_rate, 0.01, 100.0);
-  problems.within("robot_radius", robot.radius, 0.01, 10.0);
-  problems.within("acceleration", robot.acceleration, 0.01, 1000.0);
-  problems.within("yaw_acceleration", robot.yaw_acceleration, 0.01, 10000.0);
-  problems.within("command_timeout", robot.command_timeout, 0.0, 3600.0);
+  problems.within("speed", robot.max_speed_m_s, 0.01, 10.0);
+  problems.within("yaw_rate", robot.max_yaw_rate_rad_s, 0.01, 100.0);
+  problems.within("robot_radius", robot.radius_m, 0.01, 10.0);
+  problems.within("acceleration", robot.acceleration_m_s2, 0.01, 1000.0);
+  problems.within("yaw_acceleration", robot.yaw_acceleration_rad_s2, 0.01, 10000.0);
+  problems.within("command_timeout", robot.command_timeout_s, 0.0, 3600.0);
 }
 
 void checkTime(const SimulatorConfig& config, Problems& problems) {
-  problems.within("tf_rate", config.tf_rate, 1.0, 1000.0);
-  problems.within("scan_rate", config.scan_rate, 0.01, 1000.0);
-  if (config.scan_rate > config.tf_rate) {
+  problems.within("tf_rate", config.tf_rate_hz, 1.0, 1000.0);
+  problems.within("scan_rate", config.scan_rate_hz, 0.01, 1000.0);
+  if (config.scan_rate_hz > config.tf_rate_hz) {
     problems.add("scan_rate must not exceed tf_rate: each scan is stamped with a transform's time");
   }
   problems.within("time_scale", config.time_scale, 0.01, 100.0);
   if (config.time_scale != 1.0 && !config.publish_clock) {
     problems.add("time_scale must be 1 unless publish_clock is true");
   }
-  problems.within("start_delay", config.start_delay, 0.0, 3600.0);
+  problems.within("start_delay", config.start_delay_s, 0.0, 3600.0);
 }
 
 void checkFrames(const SimulatorConfig& config, Problems& problems) {
@@ -98,9 +98,9 @@ void checkFrames(const SimulatorConfig& config, Problems& problems) {
       config.map_frame == config.base_frame) {
     problems.add("map_frame, odom_frame and base_frame must differ");
   }
-  problems.within("odom/x", config.odom.x, -kFar, kFar);
-  problems.within("odom/y", config.odom.y, -kFar, kFar);
-  problems.within("odom/yaw", config.odom.yaw, -kTurn, kTurn);
+  problems.within("odom/x", config.odom.x_m, -kFar, kFar);
+  problems.within("odom/y", config.odom.y_m, -kFar, kFar);
+  problems.within("odom/yaw", config.odom.yaw_rad, -kTurn, kTurn);
 }
 
 /// Reads what stands in the tree over what stands in the configuration.

@@ -16,10 +16,10 @@ namespace sfw {
 /// Every setting of the simulated robot, with its default. config/simulator.yaml explains each one.
 struct SimulatorConfig {
   std::string plan;               ///< floor plan: a file as readFloorPlan reads it
-  double resolution = 0.05;       ///< of plans drawn in metres, or made up [m]
+  double resolution_m = 0.05;     ///< of plans drawn in metres, or made up [m]
   double metres_per_pixel = 0.0;  ///< of a picture; 0: not given
   std::string generate;           ///< instead of a plan: "flat" or "office", made up from the seed
-  double area = 90.0;             ///< of a building made up [m2]
+  double area_m2 = 90.0;          ///< of a building made up [m2]
 
   std::string route = "walls";  ///< "walls", "sparse" or a CSV file of way points
   std::vector<AccessPoint> access_points;
@@ -29,11 +29,11 @@ struct SimulatorConfig {
   /// Its speed and yaw rate along a route; the most that it reaches by commands.
   SimulatedRobot::Config robot;
 
-  double scan_rate = 5.0;      ///< [Hz], simulated time
-  double tf_rate = 20.0;       ///< [Hz], simulated time
-  bool publish_clock = false;  ///< on /clock; otherwise the drive keeps to the machine's clock
-  double time_scale = 1.0;     ///< simulated seconds in a real one
-  double start_delay = 10.0;   ///< the longest wait for a subscriber to the scans [s], real time
+  double scan_rate_hz = 5.0;    ///< [Hz], simulated time
+  double tf_rate_hz = 20.0;     ///< [Hz], simulated time
+  bool publish_clock = false;   ///< on /clock; otherwise the drive keeps to the machine's clock
+  double time_scale = 1.0;      ///< simulated seconds in a real one
+  double start_delay_s = 10.0;  ///< the longest wait for a subscriber to the scans [s], real time
 
   std::string map_frame = "map";
   std::string odom_frame = "odom";
@@ -41,9 +41,9 @@ struct SimulatorConfig {
 
   /// Where the odometry's frame lies in the map's at the start.
   struct Odom {
-    double x = 0.0;    ///< [m]
-    double y = 0.0;    ///< [m]
-    double yaw = 0.0;  ///< [rad]
+    double x_m = 0.0;      ///< [m]
+    double y_m = 0.0;      ///< [m]
+    double yaw_rad = 0.0;  ///< [rad]
   } odom;
 
   std::string noise;  ///< a NoiseLevel's name; empty: the defaults below
@@ -56,52 +56,52 @@ struct SimulatorConfig {
 template <class AnyConfig, class Visitor>
 void forEachSimulatorSetting(AnyConfig& config, Visitor&& visit) {
   visit("plan", config.plan);
-  visit("resolution", config.resolution);
+  visit("resolution", config.resolution_m);
   visit("metres_per_pixel", config.metres_per_pixel);
   visit("generate", config.generate);
-  visit("area", config.area);
+  visit("area", config.area_m2);
   visit("route", config.route);
   visit("access_point_count", config.access_point_count);
   visit("drive", config.drive);
-  visit("speed", config.robot.max_speed);
-  visit("yaw_rate", config.robot.max_yaw_rate);
-  visit("robot_radius", config.robot.radius);
-  visit("acceleration", config.robot.acceleration);
-  visit("yaw_acceleration", config.robot.yaw_acceleration);
-  visit("command_timeout", config.robot.command_timeout);
-  visit("scan_rate", config.scan_rate);
-  visit("tf_rate", config.tf_rate);
+  visit("speed", config.robot.max_speed_m_s);
+  visit("yaw_rate", config.robot.max_yaw_rate_rad_s);
+  visit("robot_radius", config.robot.radius_m);
+  visit("acceleration", config.robot.acceleration_m_s2);
+  visit("yaw_acceleration", config.robot.yaw_acceleration_rad_s2);
+  visit("command_timeout", config.robot.command_timeout_s);
+  visit("scan_rate", config.scan_rate_hz);
+  visit("tf_rate", config.tf_rate_hz);
   visit("publish_clock", config.publish_clock);
   visit("time_scale", config.time_scale);
-  visit("start_delay", config.start_delay);
+  visit("start_delay", config.start_delay_s);
   visit("map_frame", config.map_frame);
   visit("odom_frame", config.odom_frame);
   visit("base_frame", config.base_frame);
-  visit("odom/x", config.odom.x);
-  visit("odom/y", config.odom.y);
-  visit("odom/yaw", config.odom.yaw);
+  visit("odom/x", config.odom.x_m);
+  visit("odom/y", config.odom.y_m);
+  visit("odom/yaw", config.odom.yaw_rad);
   visit("drift", config.signals.drift);
   visit("seed", config.signals.radio.seed);
   visit("noise", config.noise);
-  visit("registration_error", config.signals.registration_error);
-  visit("registration_distance", config.signals.registration_distance);
-  visit("radio/rssi_at_1m", config.signals.radio.rssi_at_1m);
+  visit("registration_error", config.signals.registration_error_m);
+  visit("registration_distance", config.signals.registration_distance_m);
+  visit("radio/rssi_at_1m", config.signals.radio.rssi_at_1m_dbm);
   visit("radio/exponent", config.signals.radio.exponent);
-  visit("radio/interior_wall_loss", config.signals.radio.interior_wall_loss);
-  visit("radio/interior_wall_variation", config.signals.radio.interior_wall_variation);
-  visit("radio/outer_wall_loss", config.signals.radio.outer_wall_loss);
-  visit("radio/outer_wall_variation", config.signals.radio.outer_wall_variation);
-  visit("radio/saturation", config.signals.radio.saturation);
-  visit("radio/shadowing", config.signals.radio.shadowing);
-  visit("radio/shadowing_distance", config.signals.radio.shadowing_distance);
-  visit("radio/sample_noise", config.signals.radio.sample_noise);
-  visit("radio/access_point_pattern", config.signals.radio.access_point_pattern);
-  visit("radio/robot_pattern", config.signals.radio.robot_pattern);
-  visit("radio/furniture", config.signals.radio.furniture);
-  visit("radio/step", config.signals.radio.step);
-  visit("radio/antenna_height", config.signals.radio.antenna_height);
-  visit("radio/sensitivity", config.signals.radio.sensitivity);
-  visit("radio/missed", config.signals.radio.missed);
+  visit("radio/interior_wall_loss", config.signals.radio.interior_wall_loss_db);
+  visit("radio/interior_wall_variation", config.signals.radio.interior_wall_variation_db);
+  visit("radio/outer_wall_loss", config.signals.radio.outer_wall_loss_db);
+  visit("radio/outer_wall_variation", config.signals.radio.outer_wall_variation_db);
+  visit("radio/saturation", config.signals.radio.max_obstacle_loss_db);
+  visit("radio/shadowing", config.signals.radio.shadowing_db);
+  visit("radio/shadowing_distance", config.signals.radio.shadowing_distance_m);
+  visit("radio/sample_noise", config.signals.radio.sample_noise_db);
+  visit("radio/access_point_pattern", config.signals.radio.access_point_pattern_db);
+  visit("radio/robot_pattern", config.signals.radio.robot_pattern_db);
+  visit("radio/furniture", config.signals.radio.max_furniture_loss_db);
+  visit("radio/step", config.signals.radio.rssi_step_db);
+  visit("radio/antenna_height", config.signals.radio.antenna_height_m);
+  visit("radio/sensitivity", config.signals.radio.sensitivity_dbm);
+  visit("radio/missed", config.signals.radio.missed_share);
 }
 
 /// Reads settings over the noise level's, and those over the defaults, and the table

@@ -32,8 +32,8 @@ std::vector<geometry_msgs::TransformStamped> transformMessages(const SimulatorCo
                                                                const ros::Time& stamp,
                                                                const RobotPose& pose,
                                                                double driven_m) {
-  const Position origin(config.odom.x, config.odom.y);
-  const double yaw = config.odom.yaw;
+  const Position origin(config.odom.x_m, config.odom.y_m);
+  const double yaw = config.odom.yaw_rad;
   const Position drifted = pose.position + error.drift(driven_m);
   const RobotPose odom_from_base{Eigen::Rotation2Dd(-yaw) * (drifted - origin), pose.yaw_rad - yaw};
   const RobotPose map_from_odom{origin + error.registration(pose.position), yaw};

@@ -77,7 +77,8 @@ void SimulatorNodelet::makeWorld() {
   plan_ = toStates(world.plan);
   radio_.emplace(world.plan, asTransmitters(world.access_points), config_.signals.radio);
   error_.emplace(config_.signals);
-  const Route route(world.way_points, config_.robot.max_speed, config_.robot.max_yaw_rate);
+  const Route route(world.way_points, config_.robot.max_speed_m_s,
+                    config_.robot.max_yaw_rate_rad_s);
   if (config_.drive == "cmd_vel") {
     robot_.emplace(*plan_, route.poseAt(0.0), config_.robot);
   } else {
@@ -120,11 +121,11 @@ void SimulatorNodelet::receiveCommand(const geometry_msgs::Twist& twist) {
 }
 
 void SimulatorNodelet::run() {
-  const std::chrono::duration<double> step_time(1.0 / (config_.tf_rate * config_.time_scale));
+  const std::chrono::duration<double> step_time(1.0 / (config_.tf_rate_hz * config_.time_scale));
   const auto period = std::chrono::duration_cast<WallClock::duration>(step_time);
   WallClock::time_point due = WallClock::now();
   deadline_ = due + std::chrono::duration_cast<WallClock::duration>(
-                        std::chrono::duration<double>(config_.start_delay));
+                        std::chrono::duration<double>(config_.start_delay_s));
   try {
     for (std::int64_t step = 0; waitUntil(due) && ros::ok(); ++step) {
       sendStep(step);
@@ -145,7 +146,7 @@ bool SimulatorNodelet::waitUntil(WallClock::time_point time) {
 }
 
 void SimulatorNodelet::sendStep(std::int64_t step) {
-  const ros::Time stamp = start_ + ros::Duration(static_cast<double>(step) / config_.tf_rate);
+  const ros::Time stamp = start_ + ros::Duration(static_cast<double>(step) / config_.tf_rate_hz);
   const RobotPose pose = moveTo(step);
   if (config_.publish_clock) {
     rosgraph_msgs::Clock clock;
@@ -165,7 +166,7 @@ void SimulatorNodelet::sendStep(std::int64_t step) {
   if (route_ && driven_s > route_->duration()) {
     // A step after the last scan at the earliest, so transforms on both sides of it are out.
     finish();
-  } else if (driven_s * config_.scan_rate >= static_cast<double>(scans_) - kRounding) {
+  } else if (driven_s * config_.scan_rate_hz >= static_cast<double>(scans_) - kRounding) {
     sendScan(stamp, pose);
   }
 }
@@ -174,7 +175,7 @@ RobotPose SimulatorNodelet::moveTo(std::int64_t step) {
   if (robot_) {
     departure_ = 0;
     obeyCommands();
-    robot_->step(step > 0 ? 1.0 / config_.tf_rate : 0.0);
+    robot_->step(step > 0 ? 1.0 / config_.tf_rate_hz : 0.0);
     driven_m_ = robot_->drivenWay();
     return robot_->pose();
   }
@@ -196,7 +197,7 @@ void SimulatorNodelet::obeyCommands() {
 }
 
 double SimulatorNodelet::drivenTime(std::int64_t step) const {
-  return departure_ ? static_cast<double>(step - *departure_) / config_.tf_rate : 0.0;
+  return departure_ ? static_cast<double>(step - *departure_) / config_.tf_rate_hz : 0.0;
 }
 
 void SimulatorNodelet::finish() {

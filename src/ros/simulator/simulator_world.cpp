@@ -14,7 +14,7 @@ namespace {
 FloorPlan planOf(const SimulatorConfig& config) {
   if (!config.plan.empty()) {
     PlanOptions options;
-    options.resolution = config.resolution;
+    options.resolution_m = config.resolution_m;
     if (config.metres_per_pixel != 0.0) {
       options.metres_per_pixel = config.metres_per_pixel;
     }
@@ -22,8 +22,8 @@ FloorPlan planOf(const SimulatorConfig& config) {
   }
   PlanGeneratorConfig building;
   building.kind = parseBuildingKind(config.generate);
-  building.area = config.area;
-  building.resolution = config.resolution;
+  building.area_m2 = config.area_m2;
+  building.resolution_m = config.resolution_m;
   building.seed = static_cast<std::uint64_t>(config.signals.radio.seed);
   return generatePlan(building).plan;
 }
@@ -31,7 +31,7 @@ FloorPlan planOf(const SimulatorConfig& config) {
 std::vector<Position> readRoute(const Grid<CellState>& plan, const SimulatorConfig& config) {
   std::vector<Position> way_points = readWayPoints(config.route);
   try {
-    requireFree(plan, way_points, config.robot.radius);
+    requireFree(plan, way_points, config.robot.radius_m);
   } catch (const InputError& error) {
     throw InputError(config.route + ": " + error.what());
   }
@@ -40,9 +40,9 @@ std::vector<Position> readRoute(const Grid<CellState>& plan, const SimulatorConf
 
 std::vector<Position> planRoute(const Grid<CellState>& plan, const SimulatorConfig& config) {
   RoutePlannerConfig planner;
-  planner.robot_radius = config.robot.radius;
+  planner.robot_radius_m = config.robot.radius_m;
   if (!config.noise.empty()) {
-    planner.clearance = levelClearance(parseNoiseLevel(config.noise), config.signals.radio.seed);
+    planner.clearance_m = levelClearance(parseNoiseLevel(config.noise), config.signals.radio.seed);
   }
   // Only the start of the route matters to a robot that is driven by hand, and this one is short.
   const bool along_walls = config.route == "walls" && config.drive == "route";

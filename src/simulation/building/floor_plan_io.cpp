@@ -110,17 +110,17 @@ void buildWalls(Grid<CellState>& states) {
 
 Grid<CellState> readHouseExpo(const std::string& file, const PlanOptions& options) {
   const std::vector<Position> outline = parseOutline(file);
-  requireTraceable(file, outline, options.resolution);
+  requireTraceable(file, outline, options.resolution_m);
   Box box;
   for (const Position& vertex : outline) {
     box.extend(vertex);
   }
-  const double margin = kMargin + options.resolution;
+  const double margin = kMargin + options.resolution_m;
   const Box grid_box(box.min().array() - margin, box.max().array() + margin);
   try {
     Grid<CellState> states = fillOutline(
         outline,
-        GridGeometry::covering(grid_box, options.resolution, options.resolution, kMostCells));
+        GridGeometry::covering(grid_box, options.resolution_m, options.resolution_m, kMostCells));
     buildWalls(states);
     return states;
   } catch (const std::invalid_argument&) {
@@ -147,7 +147,7 @@ Grid<CellState> readStates(const std::string& file, const PlanOptions& options) 
 std::vector<std::string> validate(const PlanOptions& options) {
   constexpr double kLeast = 0.001, kMost = 10.0;  // [m]
   Problems problems;
-  problems.within("resolution", options.resolution, kLeast, kMost, "m");
+  problems.within("resolution", options.resolution_m, kLeast, kMost, "m");
   if (options.metres_per_pixel) {
     problems.within("metres_per_pixel", *options.metres_per_pixel, kLeast, kMost, "m");
   }

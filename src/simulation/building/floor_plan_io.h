@@ -10,7 +10,7 @@ namespace sfw {
 
 /// How a plan's file becomes cells.
 struct PlanOptions {
-  double resolution = 0.05;                ///< of plans drawn in metres (HouseExpo) [m]
+  double resolution_m = 0.05;              ///< of plans drawn in metres (HouseExpo) [m]
   std::optional<double> metres_per_pixel;  ///< of pictures, which cannot say it themselves
   double dark = 0.5;                       ///< pixels darker than this are wall (0 white, 1 black)
   bool white_edge_is_outside = true;       ///< a picture's white around the building is no floor

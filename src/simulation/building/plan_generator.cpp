@@ -39,7 +39,7 @@ class Turn {
 Building build(const PlanGeneratorConfig& config) {
   PortableRandom dice(config.seed);
   FloorLayout layout(dice, dice.between(10, 13));
-  const int area_m2 = static_cast<int>(std::lround(config.area));
+  const int area_m2 = static_cast<int>(std::lround(config.area_m2));
   if (config.kind == BuildingKind::kFlat) {
     drawFlat(area_m2, layout);
   } else {
@@ -99,8 +99,8 @@ FloorPlan rasterised(const Building& building, const PlanGeneratorConfig& config
   // Centres of cells may fall on edges of walls; which side they are on must not hang on rounding.
   const Position nudge(1e-6, 1e-6);
   constexpr std::int64_t kMostCells = 64'000'000;
-  FloorPlan plan(GridGeometry::covering(boxAround(building, map_from_building), config.resolution,
-                                        config.resolution, kMostCells));
+  FloorPlan plan(GridGeometry::covering(boxAround(building, map_from_building), config.resolution_m,
+                                        config.resolution_m, kMostCells));
   const Eigen::Rotation2Dd building_from_map = map_from_building.inverse();
   forEachCell(plan.geometry, [&](Cell c) {
     const Position at = building_from_map * plan.geometry.centre(c) + nudge;
@@ -120,8 +120,8 @@ BuildingKind parseBuildingKind(std::string_view name) {
 
 std::vector<std::string> validate(const PlanGeneratorConfig& config) {
   Problems problems;
-  problems.within("area", config.area, 30.0, 400.0, "m2");
-  problems.within("resolution", config.resolution, 0.01, 0.1, "m");
+  problems.within("area", config.area_m2, 30.0, 400.0, "m2");
+  problems.within("resolution", config.resolution_m, 0.01, 0.1, "m");
   problems.require(std::isfinite(config.rotation_rad), "rotation_rad", config.rotation_rad,
                    "finite");
   return problems.list();

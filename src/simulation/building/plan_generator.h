@@ -19,10 +19,10 @@ BuildingKind parseBuildingKind(std::string_view name);
 /// What to build.
 struct PlanGeneratorConfig {
   BuildingKind kind = BuildingKind::kFlat;
-  double area = 90.0;         ///< of floor and interior walls, 30..400 [m2]
-  double resolution = 0.05;   ///< 0.01..0.1, as walls are 0.1 m and more [m]
-  double rotation_rad = 0.0;  ///< of the building about the map frame's origin
-  std::uint64_t seed = 1;     ///< decides all the rest
+  double area_m2 = 90.0;       ///< of floor and interior walls, 30..400 [m2]
+  double resolution_m = 0.05;  ///< 0.01..0.1, as walls are 0.1 m and more [m]
+  double rotation_rad = 0.0;   ///< of the building about the map frame's origin
+  std::uint64_t seed = 1;      ///< decides all the rest
 };
 
 /// Every problem of a configuration, one sentence each that starts with the setting's name.

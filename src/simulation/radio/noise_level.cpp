@@ -35,27 +35,27 @@ bool isLikeHomes(NoiseLevel level) {
 }
 
 void setNoise(RadioModel::Config& radio, double shadowing, double sample, double wall_to_wall) {
-  radio.shadowing = shadowing;
-  radio.sample_noise = sample;
-  radio.interior_wall_variation = wall_to_wall;
+  radio.shadowing_db = shadowing;
+  radio.sample_noise_db = sample;
+  radio.interior_wall_variation_db = wall_to_wall;
 }
 
 /// Levels of the textbook.
 void setIdealWorld(RadioModel::Config& radio) {
   radio.exponent = 2.0;
-  radio.interior_wall_loss = 6.1;
-  radio.shadowing_distance = 1.5;
+  radio.interior_wall_loss_db = 6.1;
+  radio.shadowing_distance_m = 1.5;
 }
 
 /// Levels that imitate real homes.
 void setHome(RadioModel::Config& radio, std::int64_t seed) {
   const Draws draws = drawsOf(seed);
   radio.exponent = draws.exponent;
-  radio.interior_wall_loss = draws.wall_loss_db;
-  radio.shadowing_distance = 0.6;
-  radio.access_point_pattern = 2.0;
-  radio.robot_pattern = 2.0;
-  radio.furniture = 5.0;
+  radio.interior_wall_loss_db = draws.wall_loss_db;
+  radio.shadowing_distance_m = 0.6;
+  radio.access_point_pattern_db = 2.0;
+  radio.robot_pattern_db = 2.0;
+  radio.max_furniture_loss_db = 5.0;
 }
 
 }  // namespace
@@ -99,7 +99,7 @@ RadioModel::Config levelRadio(NoiseLevel level, std::int64_t seed) {
   switch (level) {
     case NoiseLevel::kNone:
       setNoise(radio, 0.0, 0.0, 0.0);
-      radio.step = 0.0;
+      radio.rssi_step_db = 0.0;
       break;
     case NoiseLevel::kLow:
       setNoise(radio, 1.0, 1.0, 0.5);
@@ -109,15 +109,15 @@ RadioModel::Config levelRadio(NoiseLevel level, std::int64_t seed) {
       break;
     case NoiseLevel::kRealistic:
       setNoise(radio, 3.7, 3.0, 1.0);
-      radio.saturation = 15.0;
+      radio.max_obstacle_loss_db = 15.0;
       break;
     case NoiseLevel::kHard:
       setNoise(radio, 5.0, 4.0, 1.0);
-      radio.saturation = 10.0;
+      radio.max_obstacle_loss_db = 10.0;
       break;
   }
-  radio.outer_wall_loss = kOuterToInterior * radio.interior_wall_loss;
-  radio.outer_wall_variation = kOuterToInterior * radio.interior_wall_variation;
+  radio.outer_wall_loss_db = kOuterToInterior * radio.interior_wall_loss_db;
+  radio.outer_wall_variation_db = kOuterToInterior * radio.interior_wall_variation_db;
   return radio;
 }
 
@@ -125,8 +125,8 @@ RecordingConfig levelConfig(NoiseLevel level, std::int64_t seed) {
   RecordingConfig config;
   config.radio = levelRadio(level, seed);
   if (isLikeHomes(level)) {
-    config.registration_error = drawsOf(seed).registration_error_m;
-    config.registration_distance = 3.0;
+    config.registration_error_m = drawsOf(seed).registration_error_m;
+    config.registration_distance_m = 3.0;
   }
   return config;
 }

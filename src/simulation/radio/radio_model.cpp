@@ -77,14 +77,14 @@ RadioModel::RadioModel(const FloorPlan& plan, const std::vector<Transmitter>& tr
       config_(config),
       wall_variation_(RandomField::Kind::kSmooth, kWallPatch, config.seed,
                       streamOf(Purpose::kWallVariation)),
-      robot_pattern_(config.robot_pattern, config.seed, streamOf(Purpose::kRobotPattern)) {
-  if (config.furniture > 0.0) {
-    furniture_ = placeFurniture(plan, config.furniture, kAreaPerFurniture, config.seed);
+      robot_pattern_(config.robot_pattern_db, config.seed, streamOf(Purpose::kRobotPattern)) {
+  if (config.max_furniture_loss_db > 0.0) {
+    furniture_ = placeFurniture(plan, config.max_furniture_loss_db, kAreaPerFurniture, config.seed);
   }
   for (std::size_t i = 0; i < transmitters.size(); ++i) {
-    shadowing_.emplace_back(RandomField::Kind::kRough, config.shadowing_distance, config.seed,
+    shadowing_.emplace_back(RandomField::Kind::kRough, config.shadowing_distance_m, config.seed,
                             streamOf(Purpose::kShadowing, i));
-    access_point_patterns_.emplace_back(config.access_point_pattern, config.seed,
+    access_point_patterns_.emplace_back(config.access_point_pattern_db, config.seed,
                                         streamOf(Purpose::kAccessPointPattern, i));
   }
 }
@@ -93,8 +93,9 @@ double RadioModel::wallLoss(const WallCrossing& wall, Band band) const {
   const bool outer = wall.material == Material::kOuterWall;
   const BandFigures on_band = bandFigures(band);
   const double factor = outer ? on_band.outer_wall_factor : on_band.interior_wall_factor;
-  const double mean = outer ? config_.outer_wall_loss : config_.interior_wall_loss;
-  const double variation = outer ? config_.outer_wall_variation : config_.interior_wall_variation;
+  const double mean = outer ? config_.outer_wall_loss_db : config_.interior_wall_loss_db;
+  const double variation =
+      outer ? config_.outer_wall_variation_db : config_.interior_wall_variation_db;
   const double here = variation > 0.0 ? mean + variation * wall_variation_.at(wall.middle) : mean;
   return factor * std::max(here, 0.0);
 }
@@ -106,7 +107,7 @@ double RadioModel::obstacleLoss(std::size_t access_point, const Position& antenn
   for (const WallCrossing& wall : wallsBetween(plan_, from, antenna_in_map)) {
     loss_db += wallLoss(wall, source.band);
   }
-  return limitedLoss(loss_db, config_.saturation);
+  return limitedLoss(loss_db, config_.max_obstacle_loss_db);
 }
 
 int RadioModel::wallCount(std::size_t access_point, const Position& antenna_in_map) const {
@@ -117,16 +118,17 @@ double RadioModel::meanRssi(std::size_t access_point, const RobotPose& robot_in_
   const Transmitter& transmitter = transmitters_[access_point];
   const AccessPoint& source = transmitter.access_point;
   const Position to_robot = robot_in_map.position - source.position;
-  const double above = source.height_m.value_or(config_.antenna_height) - config_.antenna_height;
+  const double above =
+      source.height_m.value_or(config_.antenna_height_m) - config_.antenna_height_m;
   const double distance = std::max(std::hypot(to_robot.norm(), above), kNear);
   const double bearing = std::atan2(to_robot.y(), to_robot.x());
   const double seen_from_robot = bearing + kPi - robot_in_map.yaw_rad;
-  double rssi_dbm = config_.rssi_at_1m + source.tx_dbm.value_or(kUsualTxDbm) - kUsualTxDbm;
+  double rssi_dbm = config_.rssi_at_1m_dbm + source.tx_dbm.value_or(kUsualTxDbm) - kUsualTxDbm;
   rssi_dbm -= bandFigures(transmitter.band).loss_at_1m_db;
   rssi_dbm -= 10.0 * config_.exponent * std::log10(distance);
   rssi_dbm -= obstacleLoss(access_point, robot_in_map.position);
-  if (config_.shadowing > 0.0) {
-    rssi_dbm += config_.shadowing * shadowing_[access_point].at(robot_in_map.position);
+  if (config_.shadowing_db > 0.0) {
+    rssi_dbm += config_.shadowing_db * shadowing_[access_point].at(robot_in_map.position);
   }
   rssi_dbm += access_point_patterns_[access_point].gain(bearing);
   return rssi_dbm + robot_pattern_.gain(seen_from_robot);
@@ -135,38 +137,40 @@ double RadioModel::meanRssi(std::size_t access_point, const RobotPose& robot_in_
 std::optional<double> RadioModel::rssi(std::size_t access_point, const RobotPose& robot_in_map,
                                        std::uint64_t sample) const {
   if (Random(config_.seed, streamOf(Purpose::kMisses, access_point), sample).uniform() <=
-      config_.missed) {
+      config_.missed_share) {
     return std::nullopt;
   }
   Random random(config_.seed, streamOf(Purpose::kFading, access_point), sample);
-  double rssi_dbm = meanRssi(access_point, robot_in_map) + config_.sample_noise * random.normal();
-  if (config_.step > 0.0) {
-    rssi_dbm = config_.step * std::round(rssi_dbm / config_.step);
+  double rssi_dbm =
+      meanRssi(access_point, robot_in_map) + config_.sample_noise_db * random.normal();
+  if (config_.rssi_step_db > 0.0) {
+    rssi_dbm = config_.rssi_step_db * std::round(rssi_dbm / config_.rssi_step_db);
   }
-  return rssi_dbm < config_.sensitivity ? std::nullopt
-                                        : std::optional<double>(std::min(rssi_dbm, 0.0));
+  return rssi_dbm < config_.sensitivity_dbm ? std::nullopt
+                                            : std::optional<double>(std::min(rssi_dbm, 0.0));
 }
 
 std::vector<std::string> validate(const RadioModel::Config& config) {
   Problems problems;
   constexpr double kMostLoss = 100.0, kMostDeviation = 30.0;
-  problems.within("rssi_at_1m", config.rssi_at_1m, -119.0, 0.0);
+  problems.within("rssi_at_1m", config.rssi_at_1m_dbm, -119.0, 0.0);
   problems.within("exponent", config.exponent, 0.0, 10.0);
-  problems.within("interior_wall_loss", config.interior_wall_loss, 0.0, kMostLoss);
-  problems.within("interior_wall_variation", config.interior_wall_variation, 0.0, kMostDeviation);
-  problems.within("outer_wall_loss", config.outer_wall_loss, 0.0, kMostLoss);
-  problems.within("outer_wall_variation", config.outer_wall_variation, 0.0, kMostDeviation);
-  problems.within("saturation", config.saturation, 0.0, 1000.0);
-  problems.within("shadowing", config.shadowing, 0.0, kMostDeviation);
-  problems.within("shadowing_distance", config.shadowing_distance, 0.01, 1000.0);
-  problems.within("sample_noise", config.sample_noise, 0.0, kMostDeviation);
-  problems.within("access_point_pattern", config.access_point_pattern, 0.0, kMostDeviation);
-  problems.within("robot_pattern", config.robot_pattern, 0.0, kMostDeviation);
-  problems.within("furniture", config.furniture, 0.0, kMostLoss);
-  problems.within("step", config.step, 0.0, 10.0);
-  problems.within("antenna_height", config.antenna_height, 0.0, 10.0);
-  problems.within("sensitivity", config.sensitivity, -119.0, 0.0);
-  problems.within("missed", config.missed, 0.0, 1.0);
+  problems.within("interior_wall_loss", config.interior_wall_loss_db, 0.0, kMostLoss);
+  problems.within("interior_wall_variation", config.interior_wall_variation_db, 0.0,
+                  kMostDeviation);
+  problems.within("outer_wall_loss", config.outer_wall_loss_db, 0.0, kMostLoss);
+  problems.within("outer_wall_variation", config.outer_wall_variation_db, 0.0, kMostDeviation);
+  problems.within("saturation", config.max_obstacle_loss_db, 0.0, 1000.0);
+  problems.within("shadowing", config.shadowing_db, 0.0, kMostDeviation);
+  problems.within("shadowing_distance", config.shadowing_distance_m, 0.01, 1000.0);
+  problems.within("sample_noise", config.sample_noise_db, 0.0, kMostDeviation);
+  problems.within("access_point_pattern", config.access_point_pattern_db, 0.0, kMostDeviation);
+  problems.within("robot_pattern", config.robot_pattern_db, 0.0, kMostDeviation);
+  problems.within("furniture", config.max_furniture_loss_db, 0.0, kMostLoss);
+  problems.within("step", config.rssi_step_db, 0.0, 10.0);
+  problems.within("antenna_height", config.antenna_height_m, 0.0, 10.0);
+  problems.within("sensitivity", config.sensitivity_dbm, -119.0, 0.0);
+  problems.within("missed", config.missed_share, 0.0, 1.0);
   return problems.list();
 }
 

@@ -63,24 +63,25 @@ class RadioModel {
   /// Path loss and walls as fitted to a recording in a furnished flat at 2.4 GHz; noise somewhat
   /// kinder than measured in homes, whose ranges stand in brackets. noise_level.h has other sets.
   struct Config {
-    double rssi_at_1m = -31.0;        ///< of an access point that sends 20 dBm (-28 to -34) [dBm]
-    double exponent = 1.2;            ///< of path loss without the walls (1.0 to 2.4)
-    double interior_wall_loss = 8.3;  ///< of each, 2.4 GHz, mean over places (1.4 to 8.3) [dB]
-    double interior_wall_variation = 0.0;  ///< standard deviation over places [dB]
-    double outer_wall_loss = 12.0;         ///< likewise; wood 4, stone 12, concrete 15 [dB]
-    double outer_wall_variation = 0.0;     ///< standard deviation over places [dB]
-    double saturation = 0.0;  ///< losses together stay below (10 to 15) [dB]; 0: they add up
-    double shadowing = 2.5;   ///< standard deviation over places (3 to 8) [dB]
-    double shadowing_distance = 1.5;    ///< its correlation falls to 1/e here (0.9 to 2.1) [m]
-    double sample_noise = 2.0;          ///< standard deviation at one place (2.8 to 3.3) [dB]
-    double access_point_pattern = 0.0;  ///< of antenna gain over bearing [dB]
-    double robot_pattern = 0.0;         ///< of antenna gain over bearing [dB]
-    double furniture = 0.0;             ///< a piece in each 9 m2 takes up to this (5) [dB]
-    double step = 1.0;                  ///< signals are multiples of it [dB]; 0: not rounded
-    double antenna_height = 0.3;        ///< of the robot, for access points of known height [m]
-    double sensitivity = -90.0;         ///< anything weaker is not heard [dBm]
-    double missed = 0.0;                ///< share of the other samples that is not heard either
-    std::int64_t seed = 1;              ///< of all that is random
+    double rssi_at_1m_dbm = -31.0;  ///< of an access point that sends 20 dBm (-28 to -34) [dBm]
+    double exponent = 1.2;          ///< of path loss without the walls (1.0 to 2.4)
+    double interior_wall_loss_db = 8.3;  ///< of each, 2.4 GHz, mean over places (1.4 to 8.3) [dB]
+    double interior_wall_variation_db = 0.0;  ///< standard deviation over places [dB]
+    double outer_wall_loss_db = 12.0;         ///< likewise; wood 4, stone 12, concrete 15 [dB]
+    double outer_wall_variation_db = 0.0;     ///< standard deviation over places [dB]
+    double max_obstacle_loss_db =
+        0.0;                    ///< losses together stay below (10 to 15) [dB]; 0: they add up
+    double shadowing_db = 2.5;  ///< standard deviation over places (3 to 8) [dB]
+    double shadowing_distance_m = 1.5;     ///< its correlation falls to 1/e here (0.9 to 2.1) [m]
+    double sample_noise_db = 2.0;          ///< standard deviation at one place (2.8 to 3.3) [dB]
+    double access_point_pattern_db = 0.0;  ///< of antenna gain over bearing [dB]
+    double robot_pattern_db = 0.0;         ///< of antenna gain over bearing [dB]
+    double max_furniture_loss_db = 0.0;    ///< a piece in each 9 m2 takes up to this (5) [dB]
+    double rssi_step_db = 1.0;             ///< signals are multiples of it [dB]; 0: not rounded
+    double antenna_height_m = 0.3;         ///< of the robot, for access points of known height [m]
+    double sensitivity_dbm = -90.0;        ///< anything weaker is not heard [dBm]
+    double missed_share = 0.0;             ///< share of the other samples that is not heard either
+    std::int64_t seed = 1;                 ///< of all that is random
   };
 
   /// @throw InputError naming every setting of `config` that is out of range and every access point

@@ -182,20 +182,20 @@ class Driver {
 
 Cell chooseStart(const ConfigurationSpace& space, const RoutePlannerConfig& config) {
   char text[128];
-  if (!config.start) {
+  if (!config.start_in_map) {
     const std::optional<Cell> start = space.middle();
     if (!start) {
       std::snprintf(text, sizeof text,
                     "the plan has no free place for a robot of robot_radius %.2f m",
-                    config.robot_radius);
+                    config.robot_radius_m);
       throw InputError(text);
     }
     return *start;
   }
-  const Cell start = space.geometry().cellAt(*config.start);
+  const Cell start = space.geometry().cellAt(*config.start_in_map);
   if (!space.contains(start)) {
     std::snprintf(text, sizeof text, "start (%.2f, %.2f) is not free for a robot of %.2f m radius",
-                  config.start->x(), config.start->y(), config.robot_radius);
+                  config.start_in_map->x(), config.start_in_map->y(), config.robot_radius_m);
     throw InputError(text);
   }
   return start;
@@ -226,9 +226,9 @@ std::vector<Cell> withSomewhereToGo(std::vector<Cell> route, const Configuration
 
 std::vector<std::string> validate(const RoutePlannerConfig& config) {
   Problems problems;
-  problems.within("robot_radius", config.robot_radius, 0.01, 5.0, "m");
-  problems.within("clearance", config.clearance, 0.0, 5.0, "m");
-  if (config.start && !(config.start->array().abs() <= 1e6).all()) {
+  problems.within("robot_radius", config.robot_radius_m, 0.01, 5.0, "m");
+  problems.within("clearance", config.clearance_m, 0.0, 5.0, "m");
+  if (config.start_in_map && !(config.start_in_map->array().abs() <= 1e6).all()) {
     problems.add("start must be finite and within 1000 km of the origin");
   }
   return problems.list();
@@ -237,12 +237,12 @@ std::vector<std::string> validate(const RoutePlannerConfig& config) {
 std::vector<Position> planRoute(const Grid<CellState>& plan, RouteKind kind,
                                 const RoutePlannerConfig& config) {
   throwIfAny(validate(config));
-  ConfigurationSpace space(plan, config.robot_radius);
+  ConfigurationSpace space(plan, config.robot_radius_m);
   const Cell start = chooseStart(space, config);
   space.keepConnectedTo(start);
   // Cells diagonal to such ones are free too, so contours can be driven.
   const double distance = std::max(
-      (config.robot_radius + config.clearance) / plan.geometry.resolution(), space.reach());
+      (config.robot_radius_m + config.clearance_m) / plan.geometry.resolution(), space.reach());
   const std::vector<Stroke> strokes =
       kind == RouteKind::kWalls ? wallStrokes(space, distance) : patrolStrokes(space, distance);
   const std::vector<Cell> route =

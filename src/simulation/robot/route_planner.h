@@ -17,10 +17,10 @@ enum class RouteKind {
 
 /// Which robot drives, and from where.
 struct RoutePlannerConfig {
-  double robot_radius = 0.2;      ///< [m]
-  double clearance = 0.3;         ///< between robot and walls, where there is room for it [m]
-  std::optional<Position> start;  ///< [m], map frame; by default the middle of the widest place
-                                  ///< of the largest region that the robot can reach
+  double robot_radius_m = 0.2;  ///< [m]
+  double clearance_m = 0.3;     ///< between robot and walls, where there is room for it [m]
+  std::optional<Position> start_in_map;  ///< [m], map frame; by default the middle of the widest
+                                         ///< place of the largest region that the robot can reach
 };
 
 /// Every problem of a configuration, one sentence each that starts with the setting's name.

@@ -85,12 +85,12 @@ double wayUntilOverlap(const Position& from, const Position& direction, const Bo
 
 std::vector<std::string> validate(const SimulatedRobot::Config& config) {
   Problems problems;
-  problems.within("radius", config.radius, 0.01, 10.0);
-  problems.within("max_speed", config.max_speed, 0.01, 10.0);
-  problems.within("max_yaw_rate", config.max_yaw_rate, 0.01, 100.0);
-  problems.within("acceleration", config.acceleration, 0.01, 1000.0);
-  problems.within("yaw_acceleration", config.yaw_acceleration, 0.01, 10000.0);
-  problems.within("command_timeout", config.command_timeout, 0.0, 3600.0);
+  problems.within("radius", config.radius_m, 0.01, 10.0);
+  problems.within("max_speed", config.max_speed_m_s, 0.01, 10.0);
+  problems.within("max_yaw_rate", config.max_yaw_rate_rad_s, 0.01, 100.0);
+  problems.within("acceleration", config.acceleration_m_s2, 0.01, 1000.0);
+  problems.within("yaw_acceleration", config.yaw_acceleration_rad_s2, 0.01, 10000.0);
+  problems.within("command_timeout", config.command_timeout_s, 0.0, 3600.0);
   return problems.list();
 }
 
@@ -99,8 +99,8 @@ SimulatedRobot::SimulatedRobot(const Grid<CellState>& plan, const RobotPose& sta
     : plan_(plan), config_(config), pose_(start) {
   throwIfAny(validate(config));
   std::string text;
-  forEachObstacle(Box(start.position), config.radius, [&](const Box& square) {
-    if (text.empty() && square.exteriorDistance(start.position) < config.radius) {
+  forEachObstacle(Box(start.position), config.radius_m, [&](const Box& square) {
+    if (text.empty() && square.exteriorDistance(start.position) < config.radius_m) {
       char words[160];
       std::snprintf(
           words, sizeof words, "the robot does not fit at (%.2f, %.2f): (%.2f, %.2f) is not free",
@@ -117,9 +117,9 @@ bool SimulatedRobot::command(const DriveCommand& command) {
   if (!std::isfinite(command.speed_m_s) || !std::isfinite(command.yaw_rate_rad_s)) {
     return false;
   }
-  command_.speed_m_s = std::clamp(command.speed_m_s, -config_.max_speed, config_.max_speed);
+  command_.speed_m_s = std::clamp(command.speed_m_s, -config_.max_speed_m_s, config_.max_speed_m_s);
   command_.yaw_rate_rad_s =
-      std::clamp(command.yaw_rate_rad_s, -config_.max_yaw_rate, config_.max_yaw_rate);
+      std::clamp(command.yaw_rate_rad_s, -config_.max_yaw_rate_rad_s, config_.max_yaw_rate_rad_s);
   command_age_s_ = 0.0;
   return true;
 }
@@ -132,13 +132,13 @@ void SimulatedRobot::step(double duration_s) {
 }
 
 void SimulatedRobot::driveChord(double duration_s) {
-  if (config_.command_timeout > 0.0 && command_age_s_ >= config_.command_timeout) {
+  if (config_.command_timeout_s > 0.0 && command_age_s_ >= config_.command_timeout_s) {
     command_ = {};
   }
   command_age_s_ += duration_s;
-  speed_m_s_ = approached(speed_m_s_, command_.speed_m_s, config_.acceleration * duration_s);
-  yaw_rate_rad_s_ =
-      approached(yaw_rate_rad_s_, command_.yaw_rate_rad_s, config_.yaw_acceleration * duration_s);
+  speed_m_s_ = approached(speed_m_s_, command_.speed_m_s, config_.acceleration_m_s2 * duration_s);
+  yaw_rate_rad_s_ = approached(yaw_rate_rad_s_, command_.yaw_rate_rad_s,
+                               config_.yaw_acceleration_rad_s2 * duration_s);
   const double half_turn = 0.5 * yaw_rate_rad_s_ * duration_s;
   const double arc = speed_m_s_ * duration_s;
   const double chord = half_turn == 0.0 ? arc : arc * std::sin(half_turn) / half_turn;
@@ -160,13 +160,13 @@ std::optional<Position> SimulatedRobot::contact() const {
 
 SimulatedRobot::Way SimulatedRobot::wayTo(const Position& direction, double length_m) const {
   const Position& from = pose_.position;
-  const double stop_m = config_.radius + kSkin;
+  const double stop_m = config_.radius_m + kSkin;
   double distance_m = stop_m;
   forEachObstacle(Box(from), stop_m, [&](const Box& square) {
     distance_m = std::min(distance_m, square.exteriorDistance(from));
   });
   // Within the skin the robot may go on, but no nearer to anything than it is.
-  const double radius_m = std::max(config_.radius - kOverlap, distance_m - kRounding);
+  const double radius_m = std::max(config_.radius_m - kOverlap, distance_m - kRounding);
   Box swept(from);
   swept.extend(Position(from + length_m * direction));
   Way way{length_m, std::nullopt};

@@ -26,12 +26,13 @@ struct DriveCommand {
 class SimulatedRobot {
  public:
   struct Config {
-    double radius = 0.15;           ///< 0.01..10 [m]
-    double max_speed = 0.5;         ///< either way, 0.01..10 [m/s]
-    double max_yaw_rate = 2.0;      ///< either way, 0.01..100 [rad/s]
-    double acceleration = 1.0;      ///< speeding up and braking, 0.01..1000 [m/s2]
-    double yaw_acceleration = 5.0;  ///< likewise, 0.01..10000 [rad/s2]
-    double command_timeout = 0.5;  ///< brakes when the last command is older, 0..3600 [s]; 0: never
+    double radius_m = 0.15;                ///< 0.01..10 [m]
+    double max_speed_m_s = 0.5;            ///< either way, 0.01..10 [m/s]
+    double max_yaw_rate_rad_s = 2.0;       ///< either way, 0.01..100 [rad/s]
+    double acceleration_m_s2 = 1.0;        ///< speeding up and braking, 0.01..1000 [m/s2]
+    double yaw_acceleration_rad_s2 = 5.0;  ///< likewise, 0.01..10000 [rad/s2]
+    double command_timeout_s =
+        0.5;  ///< brakes when the last command is older, 0..3600 [s]; 0: never
   };
 
   /// @param start  map frame; the robot stands still there

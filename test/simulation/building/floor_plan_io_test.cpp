@@ -44,7 +44,7 @@ Rows pictureOf(const FloorPlan& plan) {
 
 PlanOptions coarse() {
   PlanOptions options;
-  options.resolution = 0.1;
+  options.resolution_m = 0.1;
   return options;
 }
 
@@ -158,7 +158,7 @@ TEST_F(PlanIo, NamesAMissingFile) {
 
 TEST_F(PlanIo, ListsEveryBadOption) {
   PlanOptions options;
-  options.resolution = 0.0;
+  options.resolution_m = 0.0;
   options.metres_per_pixel = std::nan("");
   options.dark = 1.0;
   EXPECT_EQ(complaint("plan.json", options),

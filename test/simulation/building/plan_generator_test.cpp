@@ -19,7 +19,7 @@ namespace {
 PlanGeneratorConfig configOf(BuildingKind kind, double area, std::uint64_t seed) {
   PlanGeneratorConfig config;
   config.kind = kind;
-  config.area = area;
+  config.area_m2 = area;
   config.seed = seed;
   return config;
 }
@@ -113,7 +113,7 @@ TEST(PlanGenerator, HasTheAreaAskedFor) {
     const FloorPlan plan = generatePlan(config).plan;
     const double area =
         areaOf(cellsOf(plan, Material::kFree)) + areaOf(cellsOf(plan, Material::kInteriorWall));
-    EXPECT_NEAR(area, config.area, 0.02 * config.area) << "seed " << seed;
+    EXPECT_NEAR(area, config.area_m2, 0.02 * config.area_m2) << "seed " << seed;
   }
 }
 
@@ -201,8 +201,8 @@ TEST(PlanGenerator, TurnsTheWholeBuilding) {
 
 TEST(PlanGenerator, ListsEveryBadSetting) {
   PlanGeneratorConfig config;
-  config.area = 29.0;
-  config.resolution = 0.2;
+  config.area_m2 = 29.0;
+  config.resolution_m = 0.2;
   config.rotation_rad = std::nan("");
   try {
     generatePlan(config);
@@ -219,7 +219,7 @@ TEST(PlanGenerator, TakesTheEndsOfEachRange) {
   for (const BuildingKind kind : {BuildingKind::kFlat, BuildingKind::kOffice}) {
     for (const double area : {30.0, 400.0}) {
       PlanGeneratorConfig config = configOf(kind, area, std::numeric_limits<std::uint64_t>::max());
-      config.resolution = 0.1;
+      config.resolution_m = 0.1;
       EXPECT_GT(areaOf(cellsOf(generatePlan(config).plan, Material::kFree)), 0.7 * area);
     }
   }

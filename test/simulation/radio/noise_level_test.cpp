@@ -13,7 +13,7 @@ namespace {
 /// Shadowing, sample noise and variation from wall to wall [dB].
 std::vector<double> noiseOf(NoiseLevel level) {
   const RadioModel::Config radio = levelRadio(level, 1);
-  return {radio.shadowing, radio.sample_noise, radio.interior_wall_variation};
+  return {radio.shadowing_db, radio.sample_noise_db, radio.interior_wall_variation_db};
 }
 
 TEST(NoiseLevel, FiguresAreFixed) {
@@ -25,10 +25,10 @@ TEST(NoiseLevel, FiguresAreFixed) {
 }
 
 TEST(NoiseLevel, OnlyTheFirstIsNotRounded) {
-  EXPECT_EQ(levelRadio(NoiseLevel::kNone, 1).step, 0.0);
+  EXPECT_EQ(levelRadio(NoiseLevel::kNone, 1).rssi_step_db, 0.0);
   for (const auto level :
        {NoiseLevel::kLow, NoiseLevel::kModerate, NoiseLevel::kRealistic, NoiseLevel::kHard}) {
-    EXPECT_EQ(levelRadio(level, 1).step, 1.0);
+    EXPECT_EQ(levelRadio(level, 1).rssi_step_db, 1.0);
   }
 }
 
@@ -38,14 +38,14 @@ TEST(NoiseLevel, TheTextbooksLevelsAreTheSameForAllSeeds) {
       const RecordingConfig config = levelConfig(level, seed);
       EXPECT_EQ(config.radio.seed, seed);
       EXPECT_EQ(config.radio.exponent, 2.0);
-      EXPECT_EQ(config.radio.interior_wall_loss, 6.1);
-      EXPECT_EQ(config.radio.outer_wall_loss, 12.2);
-      EXPECT_EQ(config.radio.shadowing_distance, 1.5);
-      EXPECT_EQ(config.radio.saturation, 0.0);
-      EXPECT_EQ(config.radio.furniture, 0.0);
-      EXPECT_EQ(config.radio.access_point_pattern, 0.0);
-      EXPECT_EQ(config.radio.robot_pattern, 0.0);
-      EXPECT_EQ(config.registration_error, 0.0);
+      EXPECT_EQ(config.radio.interior_wall_loss_db, 6.1);
+      EXPECT_EQ(config.radio.outer_wall_loss_db, 12.2);
+      EXPECT_EQ(config.radio.shadowing_distance_m, 1.5);
+      EXPECT_EQ(config.radio.max_obstacle_loss_db, 0.0);
+      EXPECT_EQ(config.radio.max_furniture_loss_db, 0.0);
+      EXPECT_EQ(config.radio.access_point_pattern_db, 0.0);
+      EXPECT_EQ(config.radio.robot_pattern_db, 0.0);
+      EXPECT_EQ(config.registration_error_m, 0.0);
       EXPECT_EQ(levelClearance(level, seed), 0.30);
     }
   }
@@ -54,14 +54,14 @@ TEST(NoiseLevel, TheTextbooksLevelsAreTheSameForAllSeeds) {
 TEST(NoiseLevel, HomesHavePatternsFurnitureAndSaturation) {
   for (const auto level : {NoiseLevel::kRealistic, NoiseLevel::kHard}) {
     const RecordingConfig config = levelConfig(level, 1);
-    EXPECT_EQ(config.radio.saturation, level == NoiseLevel::kRealistic ? 15.0 : 10.0);
-    EXPECT_EQ(config.radio.shadowing_distance, 0.6);
-    EXPECT_EQ(config.radio.access_point_pattern, 2.0);
-    EXPECT_EQ(config.radio.robot_pattern, 2.0);
-    EXPECT_EQ(config.radio.furniture, 5.0);
-    EXPECT_EQ(config.radio.outer_wall_loss, 2.0 * config.radio.interior_wall_loss);
-    EXPECT_EQ(config.radio.outer_wall_variation, 2.0);
-    EXPECT_EQ(config.registration_distance, 3.0);
+    EXPECT_EQ(config.radio.max_obstacle_loss_db, level == NoiseLevel::kRealistic ? 15.0 : 10.0);
+    EXPECT_EQ(config.radio.shadowing_distance_m, 0.6);
+    EXPECT_EQ(config.radio.access_point_pattern_db, 2.0);
+    EXPECT_EQ(config.radio.robot_pattern_db, 2.0);
+    EXPECT_EQ(config.radio.max_furniture_loss_db, 5.0);
+    EXPECT_EQ(config.radio.outer_wall_loss_db, 2.0 * config.radio.interior_wall_loss_db);
+    EXPECT_EQ(config.radio.outer_wall_variation_db, 2.0);
+    EXPECT_EQ(config.registration_distance_m, 3.0);
     EXPECT_EQ(config.drift, 0.0);
   }
 }
@@ -84,9 +84,9 @@ void expectToFill(const std::function<double(std::int64_t)>& draw, double low, d
 TEST(NoiseLevel, HomesDifferFromSeedToSeed) {
   for (const auto level : {NoiseLevel::kRealistic, NoiseLevel::kHard}) {
     expectToFill([&](std::int64_t seed) { return levelRadio(level, seed).exponent; }, 1.5, 2.2);
-    expectToFill([&](std::int64_t seed) { return levelRadio(level, seed).interior_wall_loss; }, 6.0,
-                 11.0);
-    expectToFill([&](std::int64_t seed) { return levelConfig(level, seed).registration_error; },
+    expectToFill([&](std::int64_t seed) { return levelRadio(level, seed).interior_wall_loss_db; },
+                 6.0, 11.0);
+    expectToFill([&](std::int64_t seed) { return levelConfig(level, seed).registration_error_m; },
                  0.03, 0.18);
     expectToFill([&](std::int64_t seed) { return levelClearance(level, seed); }, 0.10, 0.42);
   }

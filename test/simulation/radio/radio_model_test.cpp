@@ -33,9 +33,9 @@ RobotPose at(double x, double y, double yaw_rad = 0.0) { return {{x, y}, yaw_rad
 
 TEST(RadioModel, LosesByDistanceAndWalls) {
   RadioModel::Config config = quietRadio();
-  config.rssi_at_1m = -30.0;
+  config.rssi_at_1m_dbm = -30.0;
   config.exponent = 2.0;
-  config.interior_wall_loss = 6.0;
+  config.interior_wall_loss_db = 6.0;
   const RadioModel radio(dividedHall(), oneAt({45.0, 20.0}), config);
   EXPECT_NEAR(radio.meanRssi(0, at(44, 20)), -30.0, 1e-9);
   EXPECT_NEAR(radio.meanRssi(0, at(35, 20)), -50.0, 1e-9);
@@ -47,9 +47,9 @@ TEST(RadioModel, LosesByDistanceAndWalls) {
 
 TEST(RadioModel, AnAccessPointOnTheCeilingIsNeverNear) {
   RadioModel::Config config = quietRadio();
-  config.rssi_at_1m = -30.0;
+  config.rssi_at_1m_dbm = -30.0;
   config.exponent = 2.0;
-  config.antenna_height = 0.5;
+  config.antenna_height_m = 0.5;
   AccessPoint access_point = accessPointAt({10.0, 10.0});
   access_point.height_m = 3.5;
   const RadioModel radio(emptyHall(), asTransmitters({access_point}), config);
@@ -61,15 +61,15 @@ TEST(RadioModel, SendsWithThePowerOfItsAccessPoint) {
   AccessPoint weak = accessPointAt({10.0, 10.0});
   weak.tx_dbm = 14.0;
   const RadioModel radio(emptyHall(), asTransmitters({weak}), quietRadio());
-  EXPECT_NEAR(radio.meanRssi(0, at(11, 10)), quietRadio().rssi_at_1m - 6.0, 1e-9);
+  EXPECT_NEAR(radio.meanRssi(0, at(11, 10)), quietRadio().rssi_at_1m_dbm - 6.0, 1e-9);
 }
 
 // ---- Walls ----
 
 TEST(RadioModel, OuterWallsLoseMoreAndEachBandHasItsLosses) {
   RadioModel::Config config = quietRadio();
-  config.interior_wall_loss = 6.0;
-  config.outer_wall_loss = 13.0;
+  config.interior_wall_loss_db = 6.0;
+  config.outer_wall_loss_db = 13.0;
   FloorPlan plan = dividedHall();
   test::buildWall(plan, 60.0, 0.3, Material::kOuterWall);
   const Transmitter slow{accessPointAt({45, 20}), Band::k2400MHz};
@@ -87,8 +87,8 @@ TEST(RadioModel, OuterWallsLoseMoreAndEachBandHasItsLosses) {
 
 TEST(RadioModel, LossesSaturate) {
   RadioModel::Config config = quietRadio();
-  config.interior_wall_loss = 8.0;
-  config.saturation = 15.0;
+  config.interior_wall_loss_db = 8.0;
+  config.max_obstacle_loss_db = 15.0;
   FloorPlan plan = emptyHall();
   for (int i = 1; i <= 9; ++i) {
     test::buildWall(plan, 10.0 * i, 0.2, Material::kInteriorWall);
@@ -102,7 +102,7 @@ TEST(RadioModel, LossesSaturate) {
 
 TEST(RadioModel, AWallsLossBelongsToItsPlaceNotToTheRay) {
   RadioModel::Config config = quietRadio();
-  config.interior_wall_variation = 2.0;
+  config.interior_wall_variation_db = 2.0;
   FloorPlan plan = emptyHall();
   test::buildWall(plan, 50.0, 0.1, Material::kInteriorWall);
   const std::vector<Transmitter> table =
@@ -110,13 +110,13 @@ TEST(RadioModel, AWallsLossBelongsToItsPlaceNotToTheRay) {
   const RadioModel radio(plan, table, config);
   // Both rays go through the wall at (50.05, 20.05).
   EXPECT_NEAR(radio.obstacleLoss(0, {55.05, 20.05}), radio.obstacleLoss(1, {55.05, 25.05}), 1e-9);
-  EXPECT_GT(std::abs(radio.obstacleLoss(0, {55.05, 20.05}) - config.interior_wall_loss), 1e-3);
+  EXPECT_GT(std::abs(radio.obstacleLoss(0, {55.05, 20.05}) - config.interior_wall_loss_db), 1e-3);
 }
 
 TEST(RadioModel, WallsNeverStrengthenASignal) {
   RadioModel::Config config = quietRadio();
-  config.interior_wall_loss = 1.0;
-  config.interior_wall_variation = 5.0;
+  config.interior_wall_loss_db = 1.0;
+  config.interior_wall_variation_db = 5.0;
   const RadioModel radio(dividedHall(), oneAt({45.0, 20.0}), config);
   for (double y = 1.0; y < 40.0; y += 0.7) {
     EXPECT_GE(radio.obstacleLoss(0, {55.0, y}), 0.0);
@@ -125,13 +125,14 @@ TEST(RadioModel, WallsNeverStrengthenASignal) {
 
 TEST(RadioModel, FurnitureWeakensSignalsAndSaturatesWithTheWalls) {
   RadioModel::Config config = quietRadio();
-  config.furniture = 5.0;
-  config.saturation = 15.0;
+  config.max_furniture_loss_db = 5.0;
+  config.max_obstacle_loss_db = 15.0;
   const RadioModel radio(dividedHall(), oneAt({45.0, 20.0}), config);
   EXPECT_EQ(radio.furniture().size(), 440U);  // 99 x 40 m of free space
   const Position place(52.5, 3.0);
-  const double sum = config.interior_wall_loss + furnitureLoss(radio.furniture(), {45, 20}, place);
-  EXPECT_GT(sum, config.interior_wall_loss);
+  const double sum =
+      config.interior_wall_loss_db + furnitureLoss(radio.furniture(), {45, 20}, place);
+  EXPECT_GT(sum, config.interior_wall_loss_db);
   EXPECT_NEAR(radio.obstacleLoss(0, place), 15.0 * (1.0 - std::exp(-sum / 15.0)), 1e-9);
 }
 
@@ -140,7 +141,7 @@ TEST(RadioModel, FurnitureWeakensSignalsAndSaturatesWithTheWalls) {
 TEST(RadioModel, SignalsAreWholeSteps) {
   for (const double step : {1.0, 2.0}) {
     RadioModel::Config config;
-    config.step = step;
+    config.rssi_step_db = step;
     const RadioModel radio(emptyHall(), oneAt({10, 10}), config);
     for (std::uint64_t sample = 0; sample < 200; ++sample) {
       const double steps = *radio.rssi(0, at(17.3, 12.1), sample) / step;
@@ -158,7 +159,7 @@ TEST(RadioModel, WithoutAStepSignalsAreNotRounded) {
 TEST(RadioModel, DoesNotHearWhatIsTooWeak) {
   RadioModel::Config config = quietRadio();
   config.exponent = 2.0;
-  config.sensitivity = -60.0;
+  config.sensitivity_dbm = -60.0;
   const RadioModel radio(emptyHall(), oneAt({10, 10}), config);
   EXPECT_TRUE(radio.rssi(0, at(15, 10), 0).has_value());
   EXPECT_FALSE(radio.rssi(0, at(95, 10), 0).has_value());
@@ -168,9 +169,9 @@ TEST(RadioModel, DependsOnItsSeedAndArgumentsOnly) {
   const std::vector<Transmitter> table =
       asTransmitters({accessPointAt({10, 10}), accessPointAt({10, 10}, "02:00:00:00:00:02")});
   RadioModel::Config config;
-  config.furniture = 5.0;
-  config.robot_pattern = config.access_point_pattern = 2.0;
-  config.missed = 0.1;
+  config.max_furniture_loss_db = 5.0;
+  config.robot_pattern_db = config.access_point_pattern_db = 2.0;
+  config.missed_share = 0.1;
   const RadioModel radio(dividedHall(), table, config), same(dividedHall(), table, config);
   config.seed = 2;
   const RadioModel other(dividedHall(), table, config);
@@ -205,8 +206,8 @@ TEST(RadioModel, GivesTheSameSignalsOnEveryMachine) {
 TEST(RadioModel, NamesEverySettingOutOfRange) {
   RadioModel::Config config;
   config.exponent = -1.0;
-  config.sample_noise = NAN;
-  config.missed = 1.5;
+  config.sample_noise_db = NAN;
+  config.missed_share = 1.5;
   EXPECT_EQ(messageOf([&] {
               RadioModel(emptyHall(), oneAt({10, 80}), config);
             }),

@@ -36,10 +36,10 @@ double slopeOf(const std::vector<double>& h, const std::vector<double>& z) {
 TEST(RadioStatistics, Exponent) {
   RadioModel::Config config = quietRadio();
   config.exponent = 1.7;
-  config.shadowing = 3.0;
-  config.shadowing_distance = 0.6;
-  config.sample_noise = 3.0;
-  config.step = 1.0;
+  config.shadowing_db = 3.0;
+  config.shadowing_distance_m = 0.6;
+  config.sample_noise_db = 3.0;
+  config.rssi_step_db = 1.0;
   const Position source(20.0, 20.0);
   const RadioModel radio(emptyHall(), oneAt(source), config);
   std::vector<double> h, z;
@@ -55,13 +55,13 @@ TEST(RadioStatistics, Exponent) {
 TEST(RadioStatistics, LossOfAWallByMaterial) {
   for (const Material material : {Material::kInteriorWall, Material::kOuterWall}) {
     RadioModel::Config config = quietRadio();
-    config.interior_wall_loss = 6.1;
-    config.outer_wall_loss = 12.2;
-    config.shadowing = 3.0;
-    config.shadowing_distance = 0.6;
-    config.sample_noise = 3.0;
-    config.step = 1.0;
-    config.sensitivity = -119.0;
+    config.interior_wall_loss_db = 6.1;
+    config.outer_wall_loss_db = 12.2;
+    config.shadowing_db = 3.0;
+    config.shadowing_distance_m = 0.6;
+    config.sample_noise_db = 3.0;
+    config.rssi_step_db = 1.0;
+    config.sensitivity_dbm = -119.0;
     FloorPlan plan = emptyHall();
     test::buildWall(plan, 50.0, 0.2, material);
     // As far before the wall's middle as behind it, so that distance cancels.
@@ -83,10 +83,10 @@ TEST(RadioStatistics, LossOfAWallByMaterial) {
 TEST(RadioStatistics, VariationFromWallToWall) {
   for (const Material material : {Material::kInteriorWall, Material::kOuterWall}) {
     RadioModel::Config config = quietRadio();
-    config.interior_wall_loss = 8.0;
-    config.interior_wall_variation = 1.0;
-    config.outer_wall_loss = 16.0;
-    config.outer_wall_variation = 2.0;
+    config.interior_wall_loss_db = 8.0;
+    config.interior_wall_variation_db = 1.0;
+    config.outer_wall_loss_db = 16.0;
+    config.outer_wall_variation_db = 2.0;
     FloorPlan plan = emptyHall();
     test::buildWall(plan, 50.0, 0.2, material);
     std::vector<double> here, near;
@@ -110,8 +110,8 @@ TEST(RadioStatistics, Shadowing) {
   for (const double length : {0.6, 1.5}) {
     RadioModel::Config config = quietRadio();
     config.exponent = 0.0;
-    config.shadowing = 3.7;
-    config.shadowing_distance = length;
+    config.shadowing_db = 3.7;
+    config.shadowing_distance_m = length;
     std::vector<double> here, quarter, whole, twice, of_other;
     for (config.seed = 0; config.seed < 50; ++config.seed) {
       const RadioModel radio(
@@ -119,7 +119,7 @@ TEST(RadioStatistics, Shadowing) {
       for (int i = 0; i < 100; ++i) {
         const Position place(2.0 + 9.0 * (i % 10), 1.0 + 3.7 * (i / 10));
         const Position step = length * Position(0.6, 0.8);
-        here.push_back(radio.meanRssi(0, at(place)) - config.rssi_at_1m);
+        here.push_back(radio.meanRssi(0, at(place)) - config.rssi_at_1m_dbm);
         quarter.push_back(radio.meanRssi(0, at(place + 0.25 * step)));
         whole.push_back(radio.meanRssi(0, at(place + step)));
         twice.push_back(radio.meanRssi(0, at(place + 2.0 * step)));
@@ -139,7 +139,7 @@ TEST(RadioStatistics, Shadowing) {
 
 TEST(RadioStatistics, Fading) {
   RadioModel::Config config;
-  config.sample_noise = 2.0;
+  config.sample_noise_db = 2.0;
   const RadioModel radio(emptyHall(), oneAt({10.0, 10.0}), config);
   const RobotPose pose = at({17.3, 12.1});
   std::vector<double> here, next;
@@ -155,7 +155,7 @@ TEST(RadioStatistics, Fading) {
 
 TEST(RadioStatistics, ShareOfMissedReadings) {
   RadioModel::Config config;
-  config.missed = 0.3;
+  config.missed_share = 0.3;
   const RadioModel radio(emptyHall(), oneAt({10.0, 10.0}), config);
   double heard = 0.0;
   for (std::uint64_t sample = 0; sample < 10000; ++sample) {
@@ -186,9 +186,9 @@ void expectPattern(const std::vector<double>& signals) {
 
 RadioModel::Config patternedRadio() {
   RadioModel::Config config = quietRadio();
-  config.sample_noise = 2.0;
-  config.access_point_pattern = 2.0;
-  config.robot_pattern = 2.0;
+  config.sample_noise_db = 2.0;
+  config.access_point_pattern_db = 2.0;
+  config.robot_pattern_db = 2.0;
   return config;
 }
 
@@ -215,7 +215,7 @@ TEST(RadioStatistics, PatternOfTheRobotTurnsWithIt) {
 
 TEST(RadioStatistics, PatternsHaveTheirAmplitudeAsDeviation) {
   RadioModel::Config config = patternedRadio();
-  config.access_point_pattern = 0.0;
+  config.access_point_pattern_db = 0.0;
   const RadioModel radio(emptyHall(), oneAt({50, 20}), config);
   std::vector<double> gains;
   for (int i = 0; i < 360; ++i) {

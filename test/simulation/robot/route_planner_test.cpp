@@ -41,7 +41,7 @@ Grid<CellState> threeRooms() {
 
 RoutePlannerConfig robot(double radius) {
   RoutePlannerConfig config;
-  config.robot_radius = radius;
+  config.robot_radius_m = radius;
   return config;
 }
 
@@ -116,9 +116,9 @@ TEST(RoutePlanner, AWideRobotStaysWhereItFits) {
 TEST(RoutePlanner, StartsWhereItIsTold) {
   const Grid<CellState> plan = threeRooms();
   RoutePlannerConfig config = robot(0.2);
-  config.start = Position(6.0, 1.0);  // in the room that is shut
+  config.start_in_map = Position(6.0, 1.0);  // in the room that is shut
   const std::vector<Position> route = planRoute(plan, RouteKind::kWalls, config);
-  EXPECT_LT((route.front() - *config.start).norm(), 0.15);
+  EXPECT_LT((route.front() - *config.start_in_map).norm(), 0.15);
   for (const Position& way_point : route) {
     EXPECT_GT(way_point.x(), 5.2);
   }
@@ -203,10 +203,10 @@ TEST(RoutePlanner, SaysWhyThereIsNoRoute) {
   EXPECT_EQ(messageOf([&] { planRoute(plan, RouteKind::kWalls, robot(2.0)); }),
             "the plan has no free place for a robot of robot_radius 2.00 m");
   RoutePlannerConfig config = robot(0.2);
-  config.start = Position(0.1, 0.1);
+  config.start_in_map = Position(0.1, 0.1);
   EXPECT_EQ(messageOf([&] { planRoute(plan, RouteKind::kWalls, config); }),
             "start (0.10, 0.10) is not free for a robot of 0.20 m radius");
-  config.start = Position(-50.0, 0.1);
+  config.start_in_map = Position(-50.0, 0.1);
   EXPECT_EQ(messageOf([&] { planRoute(plan, RouteKind::kWalls, config); }),
             "start (-50.00, 0.10) is not free for a robot of 0.20 m radius");
   const Grid<CellState> cell = test::world({"###", "#.#", "###"}, 1.0);
@@ -216,9 +216,9 @@ TEST(RoutePlanner, SaysWhyThereIsNoRoute) {
 
 TEST(RoutePlanner, ListsEveryBadSetting) {
   RoutePlannerConfig config;
-  config.robot_radius = 0.0;
-  config.clearance = -1.0;
-  config.start = Position(std::nan(""), 0.0);
+  config.robot_radius_m = 0.0;
+  config.clearance_m = -1.0;
+  config.start_in_map = Position(std::nan(""), 0.0);
   EXPECT_EQ(messageOf([&] { planRoute(threeRooms(), RouteKind::kWalls, config); }),
             "robot_radius must lie in 0.01..5 m; it is 0\n"
             "clearance must lie in 0..5 m; it is -1\n"
@@ -231,20 +231,20 @@ TEST(RoutePlanner, DrivesThroughGeneratedBuildings) {
   for (std::uint64_t seed = 1; seed <= 15; ++seed) {
     PlanGeneratorConfig building;
     building.kind = seed % 2 == 0 ? BuildingKind::kFlat : BuildingKind::kOffice;
-    building.area = 30.0 + 15.0 * static_cast<double>(seed);
+    building.area_m2 = 30.0 + 15.0 * static_cast<double>(seed);
     building.seed = seed;
     building.rotation_rad = seed % 3 == 0 ? 0.1 * static_cast<double>(seed) : 0.0;
     const Grid<CellState> plan = toStates(generatePlan(building).plan);
     RoutePlannerConfig config = robot(seed % 4 == 0 ? 0.25 : 0.17);
-    config.clearance = seed % 5 == 0 ? 0.0 : 0.3;
+    config.clearance_m = seed % 5 == 0 ? 0.0 : 0.3;
     for (const RouteKind kind : {RouteKind::kWalls, RouteKind::kSparse}) {
       const std::vector<Position> route = planRoute(plan, kind, config);
-      EXPECT_NO_THROW(requireFree(plan, route, config.robot_radius)) << "seed " << seed;
+      EXPECT_NO_THROW(requireFree(plan, route, config.robot_radius_m)) << "seed " << seed;
       EXPECT_EQ(route, planRoute(plan, kind, config)) << "seed " << seed;
       if (kind == RouteKind::kWalls) {
-        EXPECT_GT(coverage(plan, route, config.robot_radius), 0.9) << "seed " << seed;
+        EXPECT_GT(coverage(plan, route, config.robot_radius_m), 0.9) << "seed " << seed;
       } else {
-        const auto [rooms, entered] = roomsAndEntered(plan, route, config.robot_radius);
+        const auto [rooms, entered] = roomsAndEntered(plan, route, config.robot_radius_m);
         EXPECT_EQ(entered, rooms) << "seed " << seed;
       }
     }
@@ -253,7 +253,7 @@ TEST(RoutePlanner, DrivesThroughGeneratedBuildings) {
 
 TEST(RoutePlanner, IsFastEnoughForAHome) {
   PlanGeneratorConfig building;
-  building.area = 100.0;
+  building.area_m2 = 100.0;
   const Grid<CellState> plan = toStates(generatePlan(building).plan);
   const auto start = std::chrono::steady_clock::now();
   planRoute(plan, RouteKind::kWalls);

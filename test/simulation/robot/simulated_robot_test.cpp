@@ -59,7 +59,7 @@ TEST(SimulatedRobot, TheSameCommandsInOtherStepsGiveTheSameDrive) {
 
 TEST(SimulatedRobot, SpeedsUpAndBrakes) {
   SimulatedRobot::Config config = quick();
-  config.acceleration = 0.5;
+  config.acceleration_m_s2 = 0.5;
   SimulatedRobot robot(room(), {{0.5, 1}, 0.0}, config);
   ASSERT_TRUE(robot.command({1.0, 0.0}));
   robot.step(1.0);
@@ -73,8 +73,8 @@ TEST(SimulatedRobot, SpeedsUpAndBrakes) {
 
 TEST(SimulatedRobot, KeepsToItsLimits) {
   SimulatedRobot::Config config = quick();
-  config.max_speed = 0.3;
-  config.max_yaw_rate = 0.1;
+  config.max_speed_m_s = 0.3;
+  config.max_yaw_rate_rad_s = 0.1;
   const SimulatedRobot robot = driven(room(), {{2, 1}, 0.0}, config, {-5.0, 5.0}, 1.0);
   EXPECT_NEAR(robot.speed(), -0.3, 1e-12);
   EXPECT_NEAR(robot.pose().yaw_rad, 0.1, 1e-6);
@@ -83,7 +83,7 @@ TEST(SimulatedRobot, KeepsToItsLimits) {
 
 TEST(SimulatedRobot, StopsWhenNoCommandsCome) {
   SimulatedRobot::Config config = quick();
-  config.command_timeout = 0.5;
+  config.command_timeout_s = 0.5;
   SimulatedRobot robot(room(), {{1, 1}, 0.0}, config);
   ASSERT_TRUE(robot.command({0.4, 0.0}));
   robot.step(0.4);
@@ -123,12 +123,12 @@ TEST(SimulatedRobot, NeedsRoomToStand) {
 
 TEST(SimulatedRobot, NamesEverySettingOutOfRange) {
   SimulatedRobot::Config config;
-  config.radius = 0.0;
-  config.max_speed = std::numeric_limits<double>::quiet_NaN();
-  config.max_yaw_rate = -1.0;
-  config.acceleration = 0.0;
-  config.yaw_acceleration = 0.0;
-  config.command_timeout = -1.0;
+  config.radius_m = 0.0;
+  config.max_speed_m_s = std::numeric_limits<double>::quiet_NaN();
+  config.max_yaw_rate_rad_s = -1.0;
+  config.acceleration_m_s2 = 0.0;
+  config.yaw_acceleration_rad_s2 = 0.0;
+  config.command_timeout_s = -1.0;
   EXPECT_EQ(problemOf({{2, 1}, 0.0}, config),
             "radius must lie in 0.01..10; it is 0\n"
             "max_speed must lie in 0.01..10; it is nan\n"

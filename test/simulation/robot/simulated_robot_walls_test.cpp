@@ -147,8 +147,8 @@ double clearanceAt(const Grid<CellState>& plan, const Position& point) {
 /// Commands as a child would give them; the robot may be anywhere, but never in a wall.
 void expectNoOverlap(const Grid<CellState>& plan, const RobotPose& start, std::int64_t seed) {
   SimulatedRobot::Config config = quick();
-  config.radius = 0.17;
-  config.acceleration = 20.0;
+  config.radius_m = 0.17;
+  config.acceleration_m_s2 = 20.0;
   SimulatedRobot robot(plan, start, config);
   int contacts = 0;
   for (std::uint64_t i = 0; i < 300; ++i) {
@@ -156,7 +156,7 @@ void expectNoOverlap(const Grid<CellState>& plan, const RobotPose& start, std::i
     const double most_m_s = i % 3 == 0 ? 10.0 : 1.0;
     ASSERT_TRUE(robot.command({random.uniform(-most_m_s / 2, most_m_s), random.uniform(-4, 4)}));
     robot.step(random.uniform(0.0, 0.5));
-    ASSERT_GE(clearanceAt(plan, robot.pose().position), config.radius - 1e-9) << "step " << i;
+    ASSERT_GE(clearanceAt(plan, robot.pose().position), config.radius_m - 1e-9) << "step " << i;
     contacts += robot.contact() ? 1 : 0;
   }
   EXPECT_GT(contacts, 10);
@@ -180,7 +180,7 @@ TEST(SimulatedRobotWalls, IsNeverInAWall) {
   const Grid<CellState> flat = readMap(SFW_SOURCE_DIR "/config/demo/flat.yaml");
   PlanGeneratorConfig turned;
   turned.rotation_rad = 0.3;
-  turned.resolution = 0.1;
+  turned.resolution_m = 0.1;
   const Grid<CellState> slanting = toStates(generatePlan(turned).plan);
   for (const Grid<CellState>& plan : {room(), flat, slanting}) {
     const RobotPose start{placeWithClearance(plan, 0.25), 0.0};
