@@ -99,7 +99,7 @@ void measureOffice(std::size_t count, std::int64_t access_points) {
   building.area_m2 = 400.0;
   const FloorPlan plan = generatePlan(building).plan;
   const RadioModel radio(plan, asTransmitters(placeAccessPoints(plan, access_points, 1)),
-                         levelRadio(NoiseLevel::kRealistic, 1));
+                         radioConfig(noiseLevel("realistic"), 1));
   const Route route(planRoute(toStates(plan), RouteKind::kWalls), 1.0, 1000.0);
   std::vector<Position> path;
   std::vector<AccessPointBins> heard(radio.transmitters().size());

@@ -5,6 +5,7 @@
 
 #include "cli/commands.h"
 #include "cli/plan_options.h"
+#include "cli/warnings.h"
 #include "files/atomic_file.h"
 #include "ros/bags/bag_writer.h"
 #include "simulation/scenario.h"
@@ -36,7 +37,10 @@ std::vector<AccessPoint> accessPointsOf(const SimulateOptions& options) {
 }
 
 void run(SimulateOptions options) {
-  options.scenario.level = parseNoiseLevel(options.noise);
+  options.scenario.noise = noiseLevel(options.noise);
+  if (const auto warning = oldNoiseLevelWarning(options.noise)) {
+    warn(*warning);
+  }
   const FloorPlan plan = options.building.make(options.scenario.seed);
   const Scenario scenario = makeScenario(plan, accessPointsOf(options), options.scenario);
   const SimulatedRecording recording = simulate(scenario);
@@ -60,7 +64,7 @@ void runSimulate(Options& options) {
                   "position of an access point in the frame of the plan [m]");
   options.addInRange("access-points", simulate.scenario.access_points, 1, 100,
                      "number of access points to place if no --access-point is given");
-  options.add("noise", "LEVEL", simulate.noise, "none, low, ideal, realistic or hard");
+  options.add("noise", "LEVEL", simulate.noise, "noise level: " + noiseLevelHelp());
   options.add("path", "PATH", simulate.scenario.path, "walls, sparse or a CSV of way points");
   options.add("robot-radius", "METRES", simulate.scenario.robot_radius_m, "radius of the robot [m]");
   options.add("seed", "N", simulate.scenario.seed, "seed of everything random");

@@ -58,7 +58,7 @@ std::vector<Position> wayPoints(const FloorPlan& plan, const ScenarioConfig& con
   }
   RoutePlannerConfig planner;
   planner.robot_radius_m = config.robot_radius_m;
-  planner.clearance_m = levelClearance(config.level, config.seed);
+  planner.clearance_m = wallClearance(config.noise, config.seed);
   return planRoute(states, config.path == "walls" ? RouteKind::kWalls : RouteKind::kSparse,
                    planner);
 }
@@ -104,7 +104,7 @@ Scenario makeScenario(const FloorPlan& plan, const std::vector<AccessPoint>& acc
   return {plan,
           access_points.empty() ? placeAccessPoints(plan, config.access_points, config.seed)
                                 : access_points,
-          wayPoints(plan, config), levelConfig(config.level, config.seed)};
+          wayPoints(plan, config), recordingConfig(config.noise, config.seed)};
 }
 
 SimulatedRecording simulate(const Scenario& scenario) {

@@ -22,7 +22,7 @@ struct Scenario {
 
 /// What to make of a plan.
 struct ScenarioConfig {
-  NoiseLevel level = NoiseLevel::kRealistic;
+  NoiseLevel noise = noiseLevel("realistic");
   std::string path = "walls";      ///< "walls", "sparse" or a CSV file of way points
   double robot_radius_m = 0.15;    ///< [m]
   std::int64_t seed = 1;           ///< decides all that is random

@@ -18,19 +18,19 @@ bool happens(double probability, Random& random) { return random.uniform() <= pr
 
 NoiseLevel chooseLevel(Random& random) {
   const double draw = random.uniform();
-  return draw < 0.1   ? NoiseLevel::kModerate
-         : draw < 0.8 ? NoiseLevel::kRealistic
-                      : NoiseLevel::kHard;
+  return draw < 0.1   ? noiseLevel("moderate")
+         : draw < 0.8 ? noiseLevel("realistic")
+                      : noiseLevel("hard");
 }
 
 /// Wider than the levels: losses of walls in homes were measured from 1.4 to 8.3 dB, and the first
 /// fits of their saturation, shadowing and its reach differ as much.
-void varyRadio(NoiseLevel level, RadioModel::Config& radio, Random& random) {
+void varyRadio(RadioModel::Config& radio, Random& random) {
   radio.interior_wall_loss_db = random.uniform(2.0, 11.0);
   radio.outer_wall_loss_db = radio.interior_wall_loss_db * random.uniform(1.0, 2.0);
   radio.shadowing_db = random.uniform(2.0, 6.0);
   radio.shadowing_distance_m = random.uniform(0.4, 1.6);
-  if (level != NoiseLevel::kModerate) {
+  if (radio.max_obstacle_loss_db > 0.0) {
     radio.max_obstacle_loss_db = random.uniform(8.0, 22.0);
   }
 }
@@ -90,7 +90,7 @@ std::optional<TrainingDrive> makeTrainingDrive(const FloorPlan& plan, DrivingSty
   Random random(seed, streamOf(Purpose::kTrainingDrive), 0);
   ScenarioConfig config;
   config.seed = seed;
-  config.level = chooseLevel(random);
+  config.noise = chooseLevel(random);
   config.path = style == DrivingStyle::kAlongWalls ? "walls" : "sparse";
   config.access_points = 1 + static_cast<std::int64_t>(random.uniform(0.0, 4.99));
   config.robot_radius_m = random.uniform(0.01, 0.15);
@@ -118,7 +118,7 @@ std::optional<TrainingDrive> makeTrainingDrive(const FloorPlan& plan, DrivingSty
       const double clearance = config.robot_radius_m + random.uniform(0.0, 0.6);
       scenario.way_points = withRandomWalks(scenario.way_points, furnished, clearance, random);
     }
-    varyRadio(config.level, scenario.recording.radio, random);
+    varyRadio(scenario.recording.radio, random);
     scenario.plan = walls;  // furniture weakens signals less than walls: the level has its own
     drive.readings = simulate(scenario).readings;
     drive.access_points = scenario.access_points;

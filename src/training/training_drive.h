@@ -27,7 +27,7 @@ struct TrainingDrive {
 ///   to what a lidar calls a wall, and follows walls tightly or loosely, cutting corners; or it
 ///   patrols; or it strolls, roaming around on the way, up to the walls; it covers all or a part of
 ///   the building;
-/// - the radio is `realistic`, seldom `ideal` or `hard`, with walls of 2 to 11 dB, and 1 to 5
+/// - the radio is `realistic`, seldom `moderate` or `hard`, with walls of 2 to 11 dB, and 1 to 5
 ///   access points.
 ///
 /// @return nothing if the robot fits nowhere in what is left of the building.

@@ -29,7 +29,7 @@ World flat(NoiseLevel level, std::int64_t seed) {
   building.seed = static_cast<std::uint64_t>(seed);
   building.area_m2 = 60.0;
   ScenarioConfig config;
-  config.level = level;
+  config.noise = level;
   config.seed = seed;
   config.access_points = 2;
   const Scenario scenario = makeScenario(generatePlan(building).plan, {}, config);
@@ -57,7 +57,7 @@ Evaluation judged(const World& world, const Snapshot& snapshot) {
 }
 
 TEST(Tomography, FindsFreeSpaceAndHearsWallsInAFlat) {
-  const World world = flat(NoiseLevel::kModerate, 11);
+  const World world = flat(noiseLevel("moderate"), 11);
   const auto snapshot = mapOf(world);
   const Evaluation evaluation = judged(world, *snapshot);
   EXPECT_GE(evaluation.map.free.precision, 0.9);
@@ -68,14 +68,14 @@ TEST(Tomography, FindsFreeSpaceAndHearsWallsInAFlat) {
 }
 
 TEST(Tomography, HearsNothingInSignalsAtWrongPlaces) {
-  World world = flat(NoiseLevel::kModerate, 11);
+  World world = flat(noiseLevel("moderate"), 11);
   const double heard = *judged(world, *mapOf(world)).map.radio->auc_off_path;
   world.readings = withShiftedRadio(world.readings, 4);
   EXPECT_LT(*judged(world, *mapOf(world)).map.radio->auc_off_path, heard - 0.1);
 }
 
 TEST(Tomography, DoesNotDependOnTheOrderOfReadings) {
-  World world = flat(NoiseLevel::kRealistic, 12);
+  World world = flat(noiseLevel("realistic"), 12);
   const std::string sorted = probabilityPgm(mapOf(world)->belief);
   std::mt19937 random(3);
   std::shuffle(world.readings.begin(), world.readings.end(), random);
@@ -110,7 +110,7 @@ double agreement(const BeliefMap& map, const BeliefMap& moved, const Eigen::Matr
 }
 
 TEST(Tomography, TurnsAndMirrorsWithTheWorld) {
-  const World world = flat(NoiseLevel::kRealistic, 13);
+  const World world = flat(noiseLevel("realistic"), 13);
   const auto map = mapOf(world);
   Eigen::Matrix2d quarter_turn;
   quarter_turn << 0.0, -1.0, 1.0, 0.0;
@@ -183,7 +183,7 @@ TEST(Tomography, MapsThePathWhenNoAccessPointIsKnown) {
 }
 
 TEST(Tomography, KeepsWhatTheRobotTouchedOccupied) {
-  const World world = flat(NoiseLevel::kModerate, 11);
+  const World world = flat(noiseLevel("moderate"), 11);
   Mapper mapper(Config(), world.access_points);
   for (const Reading& reading : world.readings) {
     mapper.insert(reading);

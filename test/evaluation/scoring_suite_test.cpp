@@ -16,7 +16,7 @@ Scenario drive() {
   PlanGeneratorConfig plan;
   plan.area_m2 = 40.0;
   ScenarioConfig scenario;
-  scenario.level = NoiseLevel::kNone;
+  scenario.noise = noiseLevel("none");
   return makeScenario(generatePlan(plan).plan, {}, scenario);
 }
 

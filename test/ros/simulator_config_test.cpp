@@ -55,7 +55,7 @@ TEST(SimulatorConfig, ShippedFileLeavesTheRadioToTheNoiseLevel) {
   file["plan"] = "p.json";
   file["noise"] = "hard";
   file["seed"] = 5;
-  const RecordingConfig hard = levelConfig(NoiseLevel::kHard, 5);
+  const RecordingConfig hard = recordingConfig(noiseLevel("hard"), 5);
   const SimulatorConfig config = simulatorConfigFromYaml(file);
   EXPECT_EQ(config.signals.radio.shadowing_db, 5.0);
   EXPECT_EQ(config.signals.radio.exponent, hard.radio.exponent);
@@ -102,7 +102,7 @@ TEST(SimulatorConfig, NamesEveryProblemAtOnce) {
   tree["radio"]["interior_wall_loss"] = -1;
   tree["access_points"][0]["x"] = "left";
   EXPECT_EQ(problemsOf(tree),
-            "noise: 'loud' is no noise level; there are none, low, ideal, realistic, hard\n"
+            "noise: 'loud' is no noise level; the levels are none, low, moderate, realistic, hard\n"
             "speed must be a number\n"
             "access_points[0]: 'x' must be a number from -1e6 to 1e6\n"
             "plan and generate exclude each other: leave one of them empty\n"

@@ -87,7 +87,7 @@ TEST_F(World, ARouteMayKeepTheNoiseLevelsClearance) {
   const SimulatorWorld world = makeSimulatorWorld(config);
   RoutePlannerConfig planner;
   planner.robot_radius_m = config.robot.radius_m;
-  planner.clearance_m = levelClearance(NoiseLevel::kHard, 3);
+  planner.clearance_m = wallClearance(noiseLevel("hard"), 3);
   EXPECT_EQ(world.way_points, planRoute(toStates(world.plan), RouteKind::kWalls, planner));
 }
 

@@ -182,22 +182,21 @@ TEST(SimulatedDrive, DriftGrowsWithTheWay) {
 // ---- All of it ----
 
 TEST(Recording, DependsOnItsSeed) {
-  const auto signals = [](NoiseLevel level, std::int64_t seed) {
+  const auto signals = [](const NoiseLevel& level, std::int64_t seed) {
     std::vector<double> values;
-    for (const Reading& reading : recordingOf(levelConfig(level, seed)).readings) {
+    for (const Reading& reading : recordingOf(recordingConfig(level, seed)).readings) {
       values.insert(values.end(), {reading.rssi_dbm, reading.antenna_in_map.x()});
     }
     return values;
   };
-  for (const auto level : {NoiseLevel::kNone, NoiseLevel::kLow, NoiseLevel::kModerate,
-                           NoiseLevel::kRealistic, NoiseLevel::kHard}) {
+  for (const NoiseLevel& level : kNoiseLevels) {
     EXPECT_EQ(signals(level, 1), signals(level, 1));
-    EXPECT_EQ(signals(level, 1) == signals(level, 2), level == NoiseLevel::kNone);
+    EXPECT_EQ(signals(level, 1) == signals(level, 2), level.name == "none");
   }
 }
 
 TEST(Recording, AnotherAccessPointChangesNothingForTheOthers) {
-  const RecordingConfig config = levelConfig(NoiseLevel::kRealistic, 3);
+  const RecordingConfig config = recordingConfig(noiseLevel("realistic"), 3);
   const SimulatedRecording both = recordingOf(config);
   const SimulatedRecording alone =
       simulateRecording(test::dividedHall(), kThroughTheWall, {twoTransmitters()[0]}, config);
@@ -214,7 +213,7 @@ TEST(Recording, AnotherAccessPointChangesNothingForTheOthers) {
 }
 
 TEST(Recording, GivesTheSameSignalsOnEveryMachine) {
-  RecordingConfig config = levelConfig(NoiseLevel::kRealistic, 5);
+  RecordingConfig config = recordingConfig(noiseLevel("realistic"), 5);
   config.link_rate_hz = 0.25;
   std::vector<double> heard;
   for (const Reading& reading : recordingOf(config).readings) {

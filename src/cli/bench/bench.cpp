@@ -6,7 +6,9 @@
 
 #include "cli/bench/bench_run.h"
 #include "cli/commands.h"
+#include "cli/warnings.h"
 #include "files/atomic_file.h"
+#include "simulation/radio/noise_level.h"
 #include "structure_from_wifi/input_error.h"
 
 namespace sfw {
@@ -43,6 +45,12 @@ BenchSuite suiteOf(const BenchOptions& options) {
     suite.generate = options.generate.value_or(0);
   }
   replaceIfGiven(options.levels, suite.levels);
+  for (std::string& level : suite.levels) {
+    if (const auto warning = oldNoiseLevelWarning(level)) {
+      warn(*warning);
+      level = noiseLevel(level).name;
+    }
+  }
   replaceIfGiven(options.paths, suite.paths);
   replaceIfGiven(options.methods, suite.methods);
   suite.seeds = options.seeds.value_or(suite.seeds);
@@ -85,7 +93,7 @@ void runBench(Options& options) {
   options.addList("plan", "FILE", bench.plans, "floor plans, or directories of them");
   options.add("generate", "N", bench.generate, "number of buildings to generate");
   options.addList("noise", "LEVEL", bench.levels,
-                  "none, low, ideal, realistic, hard; default: all of them");
+                  "noise levels; default: all of " + noiseLevelHelp());
   options.addList("path", "PATH", bench.paths,
                   "walls, sparse or files of way points; default: walls");
   options.add("seeds", "N", bench.seeds, "run seeds 1..N for each combination; default: 1");

@@ -74,7 +74,7 @@ std::string keyOf(const BenchJob& job, const FloorPlan& plan, const Setting& set
 
 std::string mapsOf(const BenchJob& job, const FloorPlan& plan, const Setting& setting) {
   ScenarioConfig scenario;
-  scenario.level = parseNoiseLevel(job.level);
+  scenario.noise = noiseLevel(job.level);
   scenario.path = job.path;
   scenario.seed = job.seed;
   scenario.access_points = setting.access_points;

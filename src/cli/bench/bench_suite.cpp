@@ -75,7 +75,7 @@ void requireUsable(const BenchSuite& suite) {
   };
   constexpr double kMost = 10000.0;
   for (const std::string& level : suite.levels) {
-    collect([&] { parseNoiseLevel(level); });
+    collect([&] { noiseLevel(level); });
   }
   collect([&] { benchmarkMethods(suite.methods); });
   for (const std::string& path : suite.paths) {

@@ -4,13 +4,15 @@
 #include <string>
 #include <vector>
 
+#include "simulation/radio/noise_level.h"
+
 namespace sfw {
 
 /// What a benchmark runs on, as a suite file or options say it.
 struct BenchSuite {
   std::vector<std::string> plans;  ///< files, or directories of them
   std::int64_t generate = 0;       ///< buildings to make up
-  std::vector<std::string> levels{"none", "low", "ideal", "realistic", "hard"};
+  std::vector<std::string> levels = noiseLevelNames();
   std::vector<std::string> paths{"walls"};  ///< walls, sparse or files of way points
   std::int64_t seeds = 1;                   ///< seeds 1..N for each
   std::int64_t access_points = 1;           ///< in each building

@@ -124,7 +124,7 @@ SimulatorConfig withNoiseLevel(const YAML::Node& tree, Problems& problems) {
   SimulatorConfig config;
   if (!named.noise.empty()) {
     try {
-      config.signals = levelConfig(parseNoiseLevel(named.noise), named.signals.radio.seed);
+      config.signals = recordingConfig(noiseLevel(named.noise), named.signals.radio.seed);
     } catch (const InputError& error) {
       problems.add(std::string("noise: ") + error.what());
     }

@@ -46,7 +46,7 @@ struct SimulatorConfig {
     double yaw_rad = 0.0;  ///< [rad]
   } odom;
 
-  std::string noise;  ///< a NoiseLevel's name; empty: the defaults below
+  std::string noise;  ///< name of a NoiseLevel; empty: the defaults below
   /// Radio, errors of the position and seed of all that is random; its drive is not used.
   RecordingConfig signals;
 };

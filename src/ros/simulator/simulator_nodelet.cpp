@@ -15,6 +15,7 @@
 #include "ros/conversion/parameters.h"
 #include "ros/simulator/simulator_messages.h"
 #include "ros/simulator/simulator_world.h"
+#include "simulation/radio/noise_level.h"
 
 namespace sfw {
 namespace {
@@ -70,6 +71,9 @@ void SimulatorNodelet::loadParameters() {
     NODELET_WARN_STREAM(name << " is not a setting of the simulation");
   }
   config_ = simulatorConfigFromYaml(settings);
+  if (const auto warning = oldNoiseLevelWarning(config_.noise)) {
+    NODELET_WARN_STREAM("noise: " << *warning);
+  }
 }
 
 void SimulatorNodelet::makeWorld() {

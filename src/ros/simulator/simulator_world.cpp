@@ -42,7 +42,7 @@ std::vector<Position> planRoute(const Grid<CellState>& plan, const SimulatorConf
   RoutePlannerConfig planner;
   planner.robot_radius_m = config.robot.radius_m;
   if (!config.noise.empty()) {
-    planner.clearance_m = levelClearance(parseNoiseLevel(config.noise), config.signals.radio.seed);
+    planner.clearance_m = wallClearance(noiseLevel(config.noise), config.signals.radio.seed);
   }
   // Only the start of the route matters to a robot that is driven by hand, and this one is short.
   const bool along_walls = config.route == "walls" && config.drive == "route";

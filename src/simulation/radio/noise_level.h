@@ -1,45 +1,81 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "simulation/simulated_recording.h"
 
 namespace sfw {
 
-/// How far a simulation is from the textbook, with fixed figures (standard deviations in dB):
+/// The ends of a range; each recording draws a value from it. Equal ends fix the value.
+struct Range {
+  double low;
+  double high;
+};
+
+/// A level of noise in simulations: one row of kNoiseLevels.
 ///
-/// | level       | shadowing        | sample | wall to wall | losses of walls              |
-/// |-------------|------------------|--------|--------------|------------------------------|
-/// | `none`      | 0                | 0      | 0            | add up                       |
-/// | `low`       | 1 over 1.5 m     | 1      | 0.5          | add up                       |
-/// | `ideal`     | 2.5 over 1.5 m   | 2      | 1            | add up                       |
-/// | `realistic` | 3.7 over 0.6 m   | 3      | 1            | saturate at 15 dB            |
-/// | `hard`      | 5 over 0.6 m     | 4      | 1            | saturate at 10 dB            |
+/// Standard deviations are those of RadioModel::Config. Outer walls lose and vary twice as much as
+/// interior walls on every level.
+struct NoiseLevel {
+  std::string_view name;
+  std::string_view description;  ///< for help texts
+  std::string_view old_name;     ///< of the release before; empty: the name is the same
+  double shadowing_db;           ///< standard deviation from place to place
+  double shadowing_distance_m;
+  double sample_noise_db;        ///< standard deviation at one place
+  double wall_variation_db;      ///< standard deviation from wall to wall
+  double max_obstacle_loss_db;   ///< at which the losses of walls saturate; 0: they add up
+  double antenna_pattern_db;     ///< of access point and robot, each
+  double max_furniture_loss_db;  ///< of a piece in each 9 m2; 0: no furniture
+  double rssi_step_db;           ///< 0: not rounded
+  Range exponent;                ///< of path loss
+  Range wall_loss_db;            ///< of an interior wall
+  Range registration_error_m;    ///< standard deviation on each axis
+  Range clearance_m;             ///< between robot and walls on a route along the walls
+};
+
+/// Every noise level, from none to hard. The first three are a textbook's radio; the others imitate
+/// real homes. Walls lose 6.1 dB as measured in a furnished flat, or a value from the range that
+/// was measured in homes.
 ///
-/// The first three have exponent 2 and 6.1 dB a wall (measured in a furnished flat). The last two
-/// draw from the seed, once for a recording: exponent 1.5 to 2.2, 6 to 11 dB a wall, registration
-/// error .03 to .18 m over 3 m; and they have antenna patterns of 2 dB each for access point and
-/// robot, and furniture of 0 to 5 dB, a piece in each 9 m2. Outer walls lose and vary twice as much
-/// as interior ones on every level. Signals come in steps of 1 dB except with `none`, where they
-/// are not rounded.
-enum class NoiseLevel : std::uint8_t { kNone, kLow, kModerate, kRealistic, kHard };
+/// Columns: name, description, old name; shadowing and its distance, sample noise, wall variation,
+/// maximum obstacle loss, antenna pattern, maximum furniture loss, RSSI step; ranges of exponent,
+/// wall loss, registration error and clearance.
+// clang-format off
+inline constexpr NoiseLevel kNoiseLevels[] = {
+    {"none",      "exact signals",                       "",      0.0, 1.5, 0.0, 0.0, 0.0,  0.0, 0.0, 0.0, {2.0, 2.0}, {6.1, 6.1},  {0.0, 0.0},   {0.30, 0.30}},
+    {"low",       "textbook radio, little noise",        "",      1.0, 1.5, 1.0, 0.5, 0.0,  0.0, 0.0, 1.0, {2.0, 2.0}, {6.1, 6.1},  {0.0, 0.0},   {0.30, 0.30}},
+    {"moderate",  "textbook radio, 2.5 dB of shadowing", "ideal", 2.5, 1.5, 2.0, 1.0, 0.0,  0.0, 0.0, 1.0, {2.0, 2.0}, {6.1, 6.1},  {0.0, 0.0},   {0.30, 0.30}},
+    {"realistic", "like measured homes",                 "",      3.7, 0.6, 3.0, 1.0, 15.0, 2.0, 5.0, 1.0, {1.5, 2.2}, {6.0, 11.0}, {0.03, 0.18}, {0.10, 0.42}},
+    {"hard",      "worse than measured homes",           "",      5.0, 0.6, 4.0, 1.0, 10.0, 2.0, 5.0, 1.0, {1.5, 2.2}, {6.0, 11.0}, {0.03, 0.18}, {0.10, 0.42}},
+};
+// clang-format on
 
-/// @param name  as in the table
-/// @throw InputError naming the text and all levels.
-NoiseLevel parseNoiseLevel(std::string_view name);
+/// @param name  of a row, or its old name
+/// @throw InputError that names the text and all levels.
+NoiseLevel noiseLevel(std::string_view name);
 
-const char* nameOf(NoiseLevel level);
+/// The names of all levels, in the order of the table.
+std::vector<std::string> noiseLevelNames();
 
-/// A level's recording: its drive and its radio, whose seed is `seed`; what the table does not
-/// mention has its default.
-RecordingConfig levelConfig(NoiseLevel level, std::int64_t seed);
+/// The names of all levels with their descriptions, for help texts.
+std::string noiseLevelHelp();
 
-/// Only the radio of levelConfig.
-RadioModel::Config levelRadio(NoiseLevel level, std::int64_t seed);
+/// A sentence for the user if a name is the old one of a level; nothing otherwise.
+std::optional<std::string> oldNoiseLevelWarning(std::string_view name);
 
-/// Clearance at which a path along walls follows them: .10 to .42 m from the seed on the levels
-/// `realistic` and `hard`, else .30 m; measured from the robot's rim.
-double levelClearance(NoiseLevel level, std::int64_t seed);
+/// The settings of a recording on a level. Settings that a level does not have keep their defaults.
+/// @param seed  of the recording; it also draws from the level's ranges
+RecordingConfig recordingConfig(const NoiseLevel& level, std::int64_t seed);
+
+/// Only the radio of recordingConfig.
+RadioModel::Config radioConfig(const NoiseLevel& level, std::int64_t seed);
+
+/// Clearance [m] between the robot's rim and the walls on a route along the walls.
+double wallClearance(const NoiseLevel& level, std::int64_t seed);
 
 }  // namespace sfw

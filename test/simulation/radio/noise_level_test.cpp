@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "files/text.h"
 #include "structure_from_wifi/input_error.h"
 
 namespace sfw {
@@ -12,30 +13,30 @@ namespace {
 
 /// Shadowing, sample noise and variation from wall to wall [dB].
 std::vector<double> noiseOf(NoiseLevel level) {
-  const RadioModel::Config radio = levelRadio(level, 1);
+  const RadioModel::Config radio = radioConfig(level, 1);
   return {radio.shadowing_db, radio.sample_noise_db, radio.interior_wall_variation_db};
 }
 
 TEST(NoiseLevel, FiguresAreFixed) {
-  EXPECT_EQ(noiseOf(NoiseLevel::kNone), (std::vector<double>{0.0, 0.0, 0.0}));
-  EXPECT_EQ(noiseOf(NoiseLevel::kLow), (std::vector<double>{1.0, 1.0, 0.5}));
-  EXPECT_EQ(noiseOf(NoiseLevel::kModerate), (std::vector<double>{2.5, 2.0, 1.0}));
-  EXPECT_EQ(noiseOf(NoiseLevel::kRealistic), (std::vector<double>{3.7, 3.0, 1.0}));
-  EXPECT_EQ(noiseOf(NoiseLevel::kHard), (std::vector<double>{5.0, 4.0, 1.0}));
+  EXPECT_EQ(noiseOf(noiseLevel("none")), (std::vector<double>{0.0, 0.0, 0.0}));
+  EXPECT_EQ(noiseOf(noiseLevel("low")), (std::vector<double>{1.0, 1.0, 0.5}));
+  EXPECT_EQ(noiseOf(noiseLevel("moderate")), (std::vector<double>{2.5, 2.0, 1.0}));
+  EXPECT_EQ(noiseOf(noiseLevel("realistic")), (std::vector<double>{3.7, 3.0, 1.0}));
+  EXPECT_EQ(noiseOf(noiseLevel("hard")), (std::vector<double>{5.0, 4.0, 1.0}));
 }
 
 TEST(NoiseLevel, OnlyTheFirstIsNotRounded) {
-  EXPECT_EQ(levelRadio(NoiseLevel::kNone, 1).rssi_step_db, 0.0);
-  for (const auto level :
-       {NoiseLevel::kLow, NoiseLevel::kModerate, NoiseLevel::kRealistic, NoiseLevel::kHard}) {
-    EXPECT_EQ(levelRadio(level, 1).rssi_step_db, 1.0);
+  EXPECT_EQ(radioConfig(noiseLevel("none"), 1).rssi_step_db, 0.0);
+  for (const NoiseLevel& level :
+       {noiseLevel("low"), noiseLevel("moderate"), noiseLevel("realistic"), noiseLevel("hard")}) {
+    EXPECT_EQ(radioConfig(level, 1).rssi_step_db, 1.0);
   }
 }
 
 TEST(NoiseLevel, TheTextbooksLevelsAreTheSameForAllSeeds) {
-  for (const auto level : {NoiseLevel::kNone, NoiseLevel::kLow, NoiseLevel::kModerate}) {
+  for (const NoiseLevel& level : {noiseLevel("none"), noiseLevel("low"), noiseLevel("moderate")}) {
     for (const std::int64_t seed : {1, 2}) {
-      const RecordingConfig config = levelConfig(level, seed);
+      const RecordingConfig config = recordingConfig(level, seed);
       EXPECT_EQ(config.radio.seed, seed);
       EXPECT_EQ(config.radio.exponent, 2.0);
       EXPECT_EQ(config.radio.interior_wall_loss_db, 6.1);
@@ -46,15 +47,15 @@ TEST(NoiseLevel, TheTextbooksLevelsAreTheSameForAllSeeds) {
       EXPECT_EQ(config.radio.access_point_pattern_db, 0.0);
       EXPECT_EQ(config.radio.robot_pattern_db, 0.0);
       EXPECT_EQ(config.registration_error_m, 0.0);
-      EXPECT_EQ(levelClearance(level, seed), 0.30);
+      EXPECT_EQ(wallClearance(level, seed), 0.30);
     }
   }
 }
 
 TEST(NoiseLevel, HomesHavePatternsFurnitureAndSaturation) {
-  for (const auto level : {NoiseLevel::kRealistic, NoiseLevel::kHard}) {
-    const RecordingConfig config = levelConfig(level, 1);
-    EXPECT_EQ(config.radio.max_obstacle_loss_db, level == NoiseLevel::kRealistic ? 15.0 : 10.0);
+  for (const NoiseLevel& level : {noiseLevel("realistic"), noiseLevel("hard")}) {
+    const RecordingConfig config = recordingConfig(level, 1);
+    EXPECT_EQ(config.radio.max_obstacle_loss_db, level.name == "realistic" ? 15.0 : 10.0);
     EXPECT_EQ(config.radio.shadowing_distance_m, 0.6);
     EXPECT_EQ(config.radio.access_point_pattern_db, 2.0);
     EXPECT_EQ(config.radio.robot_pattern_db, 2.0);
@@ -82,28 +83,48 @@ void expectToFill(const std::function<double(std::int64_t)>& draw, double low, d
 }
 
 TEST(NoiseLevel, HomesDifferFromSeedToSeed) {
-  for (const auto level : {NoiseLevel::kRealistic, NoiseLevel::kHard}) {
-    expectToFill([&](std::int64_t seed) { return levelRadio(level, seed).exponent; }, 1.5, 2.2);
-    expectToFill([&](std::int64_t seed) { return levelRadio(level, seed).interior_wall_loss_db; },
+  for (const NoiseLevel& level : {noiseLevel("realistic"), noiseLevel("hard")}) {
+    expectToFill([&](std::int64_t seed) { return radioConfig(level, seed).exponent; }, 1.5, 2.2);
+    expectToFill([&](std::int64_t seed) { return radioConfig(level, seed).interior_wall_loss_db; },
                  6.0, 11.0);
-    expectToFill([&](std::int64_t seed) { return levelConfig(level, seed).registration_error_m; },
-                 0.03, 0.18);
-    expectToFill([&](std::int64_t seed) { return levelClearance(level, seed); }, 0.10, 0.42);
+    expectToFill(
+        [&](std::int64_t seed) { return recordingConfig(level, seed).registration_error_m; }, 0.03,
+        0.18);
+    expectToFill([&](std::int64_t seed) { return wallClearance(level, seed); }, 0.10, 0.42);
   }
 }
 
 TEST(NoiseLevel, NamesAreReadBack) {
-  for (const auto level : {NoiseLevel::kNone, NoiseLevel::kLow, NoiseLevel::kModerate,
-                           NoiseLevel::kRealistic, NoiseLevel::kHard}) {
-    EXPECT_EQ(parseNoiseLevel(nameOf(level)), level);
-    EXPECT_TRUE(validate(levelConfig(level, 1)).empty());
+  for (const std::string& name : noiseLevelNames()) {
+    EXPECT_EQ(noiseLevel(name).name, name);
+    EXPECT_TRUE(validate(recordingConfig(noiseLevel(name), 1)).empty());
+    EXPECT_EQ(oldNoiseLevelWarning(name), std::nullopt);
+    EXPECT_NE(noiseLevelHelp().find(name + " ("), std::string::npos);
   }
   try {
-    parseNoiseLevel("Low");
+    noiseLevel("Low");
     FAIL() << "names are in lower case";
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),
-                 "'Low' is no noise level; there are none, low, ideal, realistic, hard");
+                 "'Low' is no noise level; the levels are none, low, moderate, realistic, hard");
+  }
+}
+
+TEST(NoiseLevel, ModerateIsKnownByItsOldName) {
+  EXPECT_EQ(noiseLevel("ideal").name, "moderate");
+  EXPECT_EQ(
+      oldNoiseLevelWarning("ideal"),
+      "the noise level ideal is now called moderate; rename it, the next release does not know "
+      "the old name");
+  EXPECT_THROW(noiseLevel(""), InputError);
+}
+
+TEST(NoiseLevel, ShippedFilesNameEveryLevel) {
+  for (const char* file : {"/config/simulator.yaml", "/config/bench.yaml", "/launch/demo.launch"}) {
+    const std::string text = readFile(std::string(SFW_SOURCE_DIR) + file);
+    for (const std::string& name : noiseLevelNames()) {
+      EXPECT_NE(text.find(name), std::string::npos) << name << " in " << file;
+    }
   }
 }
 
