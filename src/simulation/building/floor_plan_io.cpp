@@ -151,8 +151,6 @@ std::vector<std::string> validate(const PlanOptions& options) {
   if (options.metres_per_pixel) {
     problems.within("metres_per_pixel", *options.metres_per_pixel, kLeast, kMost, "m");
   }
-  problems.require(options.dark > 0.0 && options.dark < 1.0, "dark", options.dark,
-                   "between 0 and 1");
   return problems.list();
 }
 

@@ -12,8 +12,6 @@ namespace sfw {
 struct PlanOptions {
   double resolution_m = 0.05;              ///< of plans drawn in metres (HouseExpo) [m]
   std::optional<double> metres_per_pixel;  ///< of pictures, which cannot say it themselves
-  double dark = 0.5;                       ///< pixels darker than this are wall (0 white, 1 black)
-  bool white_edge_is_outside = true;       ///< a picture's white around the building is no floor
 };
 
 /// Every problem of the options, one sentence each that starts with the option's name.
@@ -27,8 +25,9 @@ std::vector<std::string> validate(const PlanOptions& options);
 ///   pass between the centres of neighbouring cells still become one cell of wall. The grid's
 ///   edges are whole multiples of the resolution, 0.5 m or more away from free space.
 /// - map_server YAML beside its PGM, trinary or scale, as readMap.
-/// - PNG with options.metres_per_pixel, lower left corner at the map frame's origin; transparent
-///   pixels are unknown.
+/// - PNG with options.metres_per_pixel, lower left corner at the map frame's origin. Pixels darker
+///   than middle grey are wall, transparent pixels are unknown. White that touches the image border
+///   is outside the building.
 ///
 /// Walls get their materials from withMaterials.
 /// @throw InputError naming the file and what is wrong: unreadable, malformed, without free cells,

@@ -75,8 +75,8 @@ Surface decode(const std::string& file, std::int64_t max_cells) {
   return pixels;
 }
 
-/// What one ARGB pixel, premultiplied, stands for.
-CellState stateOf(std::uint32_t pixel, double dark) {
+/// The state of the cell that one premultiplied ARGB pixel draws.
+CellState stateOf(std::uint32_t pixel) {
   const auto channel = [pixel](unsigned shift) {
     return static_cast<double>((pixel >> shift) & 0xffu) / 255.0;
   };
@@ -86,10 +86,10 @@ CellState stateOf(std::uint32_t pixel, double dark) {
   }
   // Luma of ITU-R BT.601.
   const double light = (0.299 * channel(16) + 0.587 * channel(8) + 0.114 * channel(0)) / alpha;
-  return 1.0 - light > dark ? CellState::kOccupied : CellState::kFree;
+  return 1.0 - light > 0.5 ? CellState::kOccupied : CellState::kFree;
 }
 
-/// Makes the free cells that hang together with the grid's edge unknown.
+/// Makes the free cells unknown that are connected with the image border: they are outside.
 void clearAround(const std::string& file, Grid<CellState>& states) {
   Mask built(states.geometry);
   for (std::size_t i = 0; i < built.cells.size(); ++i) {
@@ -105,8 +105,8 @@ void clearAround(const std::string& file, Grid<CellState>& states) {
   }
   if (!any_free) {
     throw InputError(file +
-                     ": all white hangs together with the picture's edge: close the outer walls, "
-                     "doors included, or say that white at the edge is floor");
+                     ": no enclosed room: every white area touches the image border; close the outer "
+                     "walls and doors in the image");
   }
 }
 
@@ -131,13 +131,11 @@ Grid<CellState> readPicture(const std::string& file, const PlanOptions& options,
     for (std::int64_t x = 0; x < states.geometry.width(); ++x) {
       std::uint32_t pixel = 0;
       std::memcpy(&pixel, row + x * 4, sizeof pixel);
-      states[{x, y}] = stateOf(pixel, options.dark);
+      states[{x, y}] = stateOf(pixel);
     }
     row += cairo_image_surface_get_stride(pixels.get());
   }
-  if (options.white_edge_is_outside) {
-    clearAround(file, states);
-  }
+  clearAround(file, states);
   return states;
 }
 

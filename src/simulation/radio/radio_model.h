@@ -90,7 +90,6 @@ class RadioModel {
              const Config& config);
 
   const std::vector<Transmitter>& transmitters() const { return transmitters_; }
-  const std::vector<Furniture>& furniture() const { return furniture_; }
 
   /// What the mean of many samples tends to, missed ones included [dBm].
   /// @param access_point   index in transmitters()

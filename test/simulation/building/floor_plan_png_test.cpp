@@ -71,16 +71,6 @@ TEST_F(PlanPicture, WhiteAroundTheBuildingIsOutside) {
                   "?O...O?",  //
                   "?OOOOO?",  //
                   "???????"}));
-  options.white_edge_is_outside = false;
-  EXPECT_EQ(test::rowsOf(toStates(readFloorPlan(file, options)))[0], ".......");
-}
-
-TEST_F(PlanPicture, DarknessDecides) {
-  PlanOptions options;
-  options.metres_per_pixel = 0.2;
-  options.white_edge_is_outside = false;
-  options.dark = 0.2;
-  EXPECT_EQ(test::rowsOf(toStates(readFloorPlan(picture({".g#"}), options))), (Rows{".##"}));
 }
 
 TEST_F(PlanPicture, SaysWhatIsWrongWithAPicture) {
@@ -88,7 +78,7 @@ TEST_F(PlanPicture, SaysWhatIsWrongWithAPicture) {
   const std::string leak = picture({"###", "...", "###"});
   EXPECT_EQ(complaintOf(leak), "a PNG does not say how large it is: give metres per pixel");
   options.metres_per_pixel = 0.1;
-  EXPECT_NE(complaintOf(leak, options).find("close the outer walls"), std::string::npos);
+  EXPECT_NE(complaintOf(leak, options).find("no enclosed room"), std::string::npos);
   EXPECT_EQ(complaintOf(write("a.png", "nothing of the kind"), options), "not a PNG image");
 
   std::ifstream stream(leak, std::ios::binary);
