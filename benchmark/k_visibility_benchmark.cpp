@@ -14,8 +14,8 @@
 #include "base/random.h"
 #include "grid/for_each_cell.h"
 #include "k_visibility/k_visibility.h"
+#include "simulation/building/floor_plan_generator.h"
 #include "simulation/building/floor_plan_io.h"
-#include "simulation/building/plan_generator.h"
 #include "simulation/building/wall_crossings.h"
 
 namespace sfw {
@@ -37,10 +37,10 @@ double milliseconds(Work&& work) {
 
 /// Office floors side by side.
 Grid<CellState> tiledOffice(std::int64_t side) {
-  PlanGeneratorConfig config;
+  BuildingConfig config;
   config.kind = BuildingKind::kOffice;
   config.area_m2 = 300.0;
-  const Grid<CellState> tile = toStates(generatePlan(config).plan);
+  const Grid<CellState> tile = toStates(generateFloorPlan(config));
   Grid<CellState> plan(GridGeometry(config.resolution_m, Position::Zero(), side, side));
   forEachCell(plan.geometry, [&](Cell c) {
     plan[c] = tile[{c.x % tile.geometry.width(), c.y % tile.geometry.height()}];

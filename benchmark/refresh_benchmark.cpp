@@ -24,7 +24,7 @@
 #include "radio/shadowing.h"
 #include "ros/conversion/markers.h"
 #include "ros/conversion/message_conversion.h"
-#include "simulation/building/plan_generator.h"
+#include "simulation/building/floor_plan_generator.h"
 #include "simulation/robot/route_planner.h"
 #include "simulation/scenario.h"
 #include "structure_from_wifi/mapper.h"
@@ -54,13 +54,13 @@ double cpuSeconds(Work&& work, int repetitions = kRepetitions) {
 /// Along the walls of all rooms, then on patrol, then along the walls at another clearance, and so
 /// on: no two laps hear the same places.
 Scenario longDrive() {
-  PlanGeneratorConfig building;
+  BuildingConfig building;
   building.kind = BuildingKind::kOffice;
   building.area_m2 = 400.0;
   ScenarioConfig config;
   config.access_points = 3;
   config.robot_radius_m = kRobotRadius;
-  Scenario scenario = makeScenario(generatePlan(building).plan, {}, config);
+  Scenario scenario = makeScenario(generateFloorPlan(building), {}, config);
   const Grid<CellState> states = toStates(scenario.plan);
   for (const double clearance : {0.3, 0.2, 0.4}) {
     for (const RouteKind kind : {RouteKind::kSparse, RouteKind::kWalls}) {

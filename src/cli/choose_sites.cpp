@@ -2,14 +2,14 @@
 #include <string>
 
 #include "cli/commands.h"
-#include "cli/plan_options.h"
+#include "cli/building_options.h"
 #include "simulation/scenario.h"
 #include "structure_from_wifi/map_files.h"
 
 namespace sfw {
 
 void runChooseSites(Options& options) {
-  BuildingArgument building;
+  BuildingSource building;
   std::int64_t count = 2;
   std::int64_t seed = 1;
   bool parameter = false;
@@ -21,7 +21,7 @@ void runChooseSites(Options& options) {
   if (!options.parse()) {
     return;
   }
-  const std::string table = accessPointsYaml(placeAccessPoints(building.make(seed), count, seed));
+  const std::string table = accessPointsYaml(placeAccessPoints(makeFloorPlan(building, seed), count, seed));
   // The key's line comes first, alone.
   std::cout << (parameter ? table.substr(table.find('\n') + 1) : table);
 }

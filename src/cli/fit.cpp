@@ -12,11 +12,11 @@
 
 #include "base/random.h"
 #include "cli/commands.h"
-#include "cli/plan_files.h"
+#include "cli/floor_plan_files.h"
 #include "cli/progress.h"
 #include "files/atomic_file.h"
+#include "simulation/building/floor_plan_generator.h"
 #include "simulation/building/floor_plan_io.h"
-#include "simulation/building/plan_generator.h"
 #include "structure_from_wifi/input_error.h"
 #include "structure_from_wifi/settings_io.h"
 #include "training/belief_training.h"
@@ -41,12 +41,12 @@ FloorPlan buildingFor(std::size_t drive, std::int64_t seed, const std::vector<Fl
   }
   constexpr std::uint64_t kStream = 0x666974;  // apart from the streams of simulations
   Random random(seed, kStream, 0);
-  PlanGeneratorConfig config;
+  BuildingConfig config;
   config.seed = static_cast<std::uint64_t>(seed);
   config.kind = random.uniform() < 0.25 ? BuildingKind::kOffice : BuildingKind::kFlat;
   config.area_m2 = random.uniform(35.0, 135.0);
   config.rotation_rad = random.uniform() < 0.5 ? 0.0 : random.uniform(0.0, 1.57);
-  return generatePlan(config).plan;
+  return generateFloorPlan(config);
 }
 
 /// Makes drives on several threads.
@@ -108,7 +108,7 @@ std::string describe(const FitOptions& options, const std::vector<TrainingCells>
       "# sfw fit --drives " +
       std::to_string(options.drives) + " --cells " + std::to_string(options.cells) + " --seed " +
       std::to_string(options.seed);
-  for (const std::string& plan : planFiles(options.plans)) {
+  for (const std::string& plan : floorPlanFiles(options.plans)) {
     text += " \\\n#   --plan " + std::filesystem::path(plan).filename().string();
   }
   std::array<std::size_t, kDrivingStyles> count{};
@@ -137,7 +137,7 @@ void run(const FitOptions& options) {
   requireWritable(options.output);
   const Config config = options.config.empty() ? Config() : readConfig(options.config).config;
   std::vector<FloorPlan> plans;
-  for (const std::string& file : planFiles(options.plans)) {
+  for (const std::string& file : floorPlanFiles(options.plans)) {
     plans.push_back(readFloorPlan(file));
   }
   const std::vector<TrainingCells> drives = Drives(options, plans, config).make();

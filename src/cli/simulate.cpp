@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/building_options.h"
 #include "cli/commands.h"
-#include "cli/plan_options.h"
 #include "cli/warnings.h"
 #include "files/atomic_file.h"
 #include "ros/bags/bag_writer.h"
@@ -16,7 +16,7 @@ namespace sfw {
 namespace {
 
 struct SimulateOptions {
-  BuildingArgument building;
+  BuildingSource building;
   std::vector<std::string> access_points;
   std::string noise = "realistic";
   ScenarioConfig scenario;
@@ -41,7 +41,7 @@ void run(SimulateOptions options) {
   if (const auto warning = oldNoiseLevelWarning(options.noise)) {
     warn(*warning);
   }
-  const FloorPlan plan = options.building.make(options.scenario.seed);
+  const FloorPlan plan = makeFloorPlan(options.building, options.scenario.seed);
   const Scenario scenario = makeScenario(plan, accessPointsOf(options), options.scenario);
   const SimulatedRecording recording = simulate(scenario);
   makeDirectories(options.output);

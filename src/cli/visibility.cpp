@@ -2,8 +2,8 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/building_options.h"
 #include "cli/commands.h"
-#include "cli/plan_options.h"
 #include "files/atomic_file.h"
 #include "k_visibility/k_visibility.h"
 #include "output/k_map_io.h"
@@ -15,7 +15,7 @@ namespace sfw {
 namespace {
 
 struct VisibilityOptions {
-  PlanArgument plan;
+  BuildingSource building;
   std::string access_point;
   std::int64_t max_k = kMostWalls;
   std::string output;
@@ -23,10 +23,11 @@ struct VisibilityOptions {
 
 void run(const VisibilityOptions& options) {
   const Position access_point = parsePosition("--access-point", options.access_point);
-  const Grid<CellState> plan = toStates(options.plan.read());
+  const Grid<CellState> plan =
+      toStates(readFloorPlan(options.building.plan, options.building.options));
   if (!plan.geometry.contains(plan.geometry.cellAt(access_point))) {
     throw InputError("--access-point " + options.access_point + " lies outside " +
-                     options.plan.file);
+                     options.building.plan);
   }
   KMap k_map{forwardKVisibility(plan, access_point), access_point};
   for (std::uint8_t& count : k_map.counts.cells) {
@@ -54,7 +55,7 @@ void run(const DenseOptions& options) {
 
 void runVisibility(Options& options) {
   VisibilityOptions visibility;
-  addPlanOptions(options, visibility.plan);
+  addFloorPlanOptions(options, visibility.building);
   options.require("plan");
   options.addRequired("access-point", "X,Y", visibility.access_point,
                       "position of the access point in the frame of the plan [m]");

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cstdio>
 #include <limits>
+#include <optional>
 
 #include "base/random.h"
 #include "grid/distance_transform.h"
 #include "grid/for_each_cell.h"
-#include "simulation/robot/route_planner.h"
 #include "structure_from_wifi/input_error.h"
 #include "structure_from_wifi/readings_io.h"
 
@@ -49,20 +49,6 @@ AccessPoint accessPoint(std::int64_t index, const Position& position) {
   return access_point;
 }
 
-std::vector<Position> wayPoints(const FloorPlan& plan, const ScenarioConfig& config) {
-  const Grid<CellState> states = toStates(plan);
-  if (config.path != "walls" && config.path != "sparse") {
-    const std::vector<Position> way_points = readWayPoints(config.path);
-    requireFree(states, way_points, config.robot_radius_m);
-    return way_points;
-  }
-  RoutePlannerConfig planner;
-  planner.robot_radius_m = config.robot_radius_m;
-  planner.clearance_m = wallClearance(config.noise, config.seed);
-  return planRoute(states, config.path == "walls" ? RouteKind::kWalls : RouteKind::kSparse,
-                   planner);
-}
-
 }  // namespace
 
 Bssid numberedBssid(std::size_t number) {
@@ -99,12 +85,35 @@ std::vector<AccessPoint> placeAccessPoints(const FloorPlan& plan, std::int64_t c
   return access_points;
 }
 
+std::vector<Position> wayPoints(const std::string& route, const Grid<CellState>& plan,
+                                const RoutePlannerConfig& config) {
+  const std::optional<RouteKind> kind = parseRouteKind(route);
+  if (kind) {
+    try {
+      return planRoute(plan, *kind, config);
+    } catch (const InputError& error) {
+      throw InputError("route " + route + ": " + error.what());
+    }
+  }
+  const std::vector<Position> way_points = readWayPoints(route);
+  try {
+    requireFree(plan, way_points, config.robot_radius_m);
+  } catch (const InputError& error) {
+    throw InputError(route + ": " + error.what());
+  }
+  return way_points;
+}
+
 Scenario makeScenario(const FloorPlan& plan, const std::vector<AccessPoint>& access_points,
                       const ScenarioConfig& config) {
+  RoutePlannerConfig planner;
+  planner.robot_radius_m = config.robot_radius_m;
+  planner.clearance_m = wallClearance(config.noise, config.seed);
   return {plan,
           access_points.empty() ? placeAccessPoints(plan, config.access_points, config.seed)
                                 : access_points,
-          wayPoints(plan, config), recordingConfig(config.noise, config.seed)};
+          wayPoints(config.path, toStates(plan), planner),
+          recordingConfig(config.noise, config.seed)};
 }
 
 SimulatedRecording simulate(const Scenario& scenario) {

@@ -7,6 +7,7 @@
 
 #include "simulation/building/floor_plan.h"
 #include "simulation/radio/noise_level.h"
+#include "simulation/robot/route_planner.h"
 #include "simulation/simulated_recording.h"
 #include "structure_from_wifi/types.h"
 
@@ -37,6 +38,12 @@ Bssid numberedBssid(std::size_t number);
 /// Deterministic; O(cells).
 std::vector<AccessPoint> placeAccessPoints(const FloorPlan& plan, std::int64_t count,
                                            std::int64_t seed);
+
+/// Way points [m] of a route by its name: planned, or read from a file.
+/// @param route  "walls", "sparse" or a CSV file of way points
+/// @throw InputError that names the route, if it cannot be planned or read, or hits an obstacle.
+std::vector<Position> wayPoints(const std::string& route, const Grid<CellState>& plan,
+                                const RoutePlannerConfig& config);
 
 /// Chooses access points (unless `access_points` names them), path and noise.
 /// @throw InputError if the path or an access point does not fit the plan.

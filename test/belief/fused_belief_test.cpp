@@ -8,7 +8,7 @@
 
 #include "belief/free_probability.h"
 #include "evaluation/ablations.h"
-#include "simulation/building/plan_generator.h"
+#include "simulation/building/floor_plan_generator.h"
 #include "simulation/scenario.h"
 #include "structure_from_wifi/map_files.h"
 #include "structure_from_wifi/mapper.h"
@@ -25,14 +25,14 @@ struct World {
 };
 
 World flat(NoiseLevel level, std::int64_t seed) {
-  PlanGeneratorConfig building;
+  BuildingConfig building;
   building.seed = static_cast<std::uint64_t>(seed);
   building.area_m2 = 60.0;
   ScenarioConfig config;
   config.noise = level;
   config.seed = seed;
   config.access_points = 2;
-  const Scenario scenario = makeScenario(generatePlan(building).plan, {}, config);
+  const Scenario scenario = makeScenario(generateFloorPlan(building), {}, config);
   return {scenario.plan, scenario.access_points, simulate(scenario).readings};
 }
 
@@ -207,11 +207,11 @@ TEST(ShippedBelief, IsCalibratedOnDrivesThatItWasNotFittedTo) {
   std::array<double, kBands> cells{};
   for (int i = 0; i < kDrives; ++i) {
     const std::int64_t seed = 990000 + i;  // `sfw fit --seed 1` takes 1000000 and up
-    PlanGeneratorConfig building;
+    BuildingConfig building;
     building.seed = static_cast<std::uint64_t>(seed);
     building.area_m2 = 40.0 + 1.3 * i;
     const auto style = static_cast<DrivingStyle>(i % kDrivingStyles);
-    const auto drive = makeTrainingDrive(generatePlan(building).plan, style, seed);
+    const auto drive = makeTrainingDrive(generateFloorPlan(building), style, seed);
     if (!drive) {
       continue;
     }

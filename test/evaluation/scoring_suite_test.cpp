@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "evaluation/ablations.h"
-#include "simulation/building/plan_generator.h"
+#include "simulation/building/floor_plan_generator.h"
 #include "structure_from_wifi/input_error.h"
 
 namespace sfw {
@@ -13,11 +13,11 @@ namespace {
 
 /// A drive through a small flat without noise.
 Scenario drive() {
-  PlanGeneratorConfig plan;
+  BuildingConfig plan;
   plan.area_m2 = 40.0;
   ScenarioConfig scenario;
   scenario.noise = noiseLevel("none");
-  return makeScenario(generatePlan(plan).plan, {}, scenario);
+  return makeScenario(generateFloorPlan(plan), {}, scenario);
 }
 
 std::vector<std::string> makersOf(const std::vector<BenchmarkFigures>& maps) {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/random.h"
-#include "simulation/building/plan_generator.h"
+#include "simulation/building/floor_plan_generator.h"
 #include "simulation/radio/random_field.h"
 #include "simulation/scenario.h"
 #include "support/recorded_readings.h"
@@ -110,12 +110,12 @@ std::vector<std::vector<Sample>> byRadio(const std::vector<Reading>& readings) {
 
 /// A flat, driven along its walls at `realistic` noise.
 std::optional<DriftCheck> inAFlat(std::uint64_t seed, double drift) {
-  PlanGeneratorConfig building;
+  BuildingConfig building;
   building.seed = seed;
   ScenarioConfig config;
   config.access_points = 2;
   config.seed = static_cast<std::int64_t>(seed);
-  Scenario scenario = makeScenario(generatePlan(building).plan, {}, config);
+  Scenario scenario = makeScenario(generateFloorPlan(building), {}, config);
   scenario.recording.drift = drift;
   return checkDrift(byRadio(simulate(scenario).readings));
 }

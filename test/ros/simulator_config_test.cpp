@@ -78,7 +78,7 @@ TEST(SimulatorConfig, ReadsGroupsOverDefaults) {
   tree["seed"] = 42;
   tree["odom"]["yaw"] = 1;
   const SimulatorConfig config = simulatorConfigFromYaml(tree);
-  EXPECT_EQ(config.plan, "p.yaml");
+  EXPECT_EQ(config.building.plan, "p.yaml");
   EXPECT_EQ(config.signals.radio.exponent, 2.5);
   EXPECT_EQ(config.signals.radio.seed, 42);
   EXPECT_EQ(config.odom.yaw_rad, 1.0);

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "simulation/building/plan_generator.h"
+#include "simulation/building/floor_plan_generator.h"
 #include "simulation/radio/noise_level.h"
 #include "simulation/robot/route.h"
 #include "simulation/robot/route_planner.h"
@@ -22,7 +22,7 @@ class World : public test::TemporaryFolder {
  protected:
   SimulatorConfig twoRooms() const {
     SimulatorConfig config;
-    config.plan = write("two_rooms.json", kTwoRooms);
+    config.building.plan = write("two_rooms.json", kTwoRooms);
     return config;
   }
 
@@ -69,15 +69,15 @@ TEST_F(World, PlacesAccessPointsAsTheCommandDoes) {
 
 TEST_F(World, MakesABuildingUpFromTheSeed) {
   SimulatorConfig config;
-  config.generate = "office";
-  config.area_m2 = 120.0;
+  config.building.generate = "office";
+  config.building.area_m2 = 120.0;
   config.route = "sparse";
   config.signals.radio.seed = 4;
-  PlanGeneratorConfig office;
+  BuildingConfig office;
   office.kind = BuildingKind::kOffice;
   office.area_m2 = 120.0;
   office.seed = 4;
-  EXPECT_EQ(makeSimulatorWorld(config).plan.cells, generatePlan(office).plan.cells);
+  EXPECT_EQ(makeSimulatorWorld(config).plan.cells, generateFloorPlan(office).cells);
 }
 
 TEST_F(World, ARouteMayKeepTheNoiseLevelsClearance) {
@@ -107,8 +107,8 @@ TEST_F(World, NamesTheFileThatIsWrong) {
       << problemOf(config);
   config.route = path("none.csv");
   EXPECT_EQ(problemOf(config).find(config.route), 0U) << problemOf(config);
-  config.plan = path("none.json");
-  EXPECT_EQ(problemOf(config).find(config.plan), 0U) << problemOf(config);
+  config.building.plan = path("none.json");
+  EXPECT_EQ(problemOf(config).find(config.building.plan), 0U) << problemOf(config);
 }
 
 TEST_F(World, SaysThatTheRobotHasNoRoom) {
@@ -119,7 +119,8 @@ TEST_F(World, SaysThatTheRobotHasNoRoom) {
 
 TEST_F(World, SaysThatAnAccessPointHasNoRoom) {
   SimulatorConfig config = twoRooms();
-  config.plan = write("closet.json", R"({"verts": [[0, 0], [0.5, 0], [0.5, 0.5], [0, 0.5]]})");
+  config.building.plan =
+      write("closet.json", R"({"verts": [[0, 0], [0.5, 0], [0.5, 0.5], [0, 0.5]]})");
   EXPECT_NE(problemOf(config).find("access point"), std::string::npos) << problemOf(config);
 }
 

@@ -13,8 +13,8 @@
 #include "cli/evaluate/figures.h"
 #include "cli/progress.h"
 #include "evaluation/scoring_suite.h"
+#include "simulation/building/floor_plan_generator.h"
 #include "simulation/building/floor_plan_io.h"
-#include "simulation/building/plan_generator.h"
 #include "simulation/scenario.h"
 #include "structure_from_wifi/settings_io.h"
 
@@ -29,11 +29,11 @@ FloorPlan planOf(const std::string& name) {
     return readFloorPlan(name);
   }
   // Every third one an office, sizes from small flats to floors.
-  PlanGeneratorConfig config;
+  BuildingConfig config;
   config.seed = std::stoull(name.substr(sizeof kGenerated - 1));
   config.kind = config.seed % 3 == 0 ? BuildingKind::kOffice : BuildingKind::kFlat;
   config.area_m2 = 40.0 + 20.0 * static_cast<double>(config.seed % 6);
-  return generatePlan(config).plan;
+  return generateFloorPlan(config);
 }
 
 /// What all recordings of a run share.

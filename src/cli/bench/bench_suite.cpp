@@ -6,9 +6,10 @@
 #include <filesystem>
 
 #include "base/validation.h"
-#include "cli/plan_files.h"
+#include "cli/floor_plan_files.h"
 #include "evaluation/scoring_suite.h"
 #include "simulation/radio/noise_level.h"
+#include "simulation/robot/route_planner.h"
 #include "structure_from_wifi/input_error.h"
 
 namespace sfw {
@@ -17,8 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr char kKeys[] = "plans, generate, levels, paths, seeds, access_points, methods";
-
-bool isRouteKind(const std::string& path) { return path == "walls" || path == "sparse"; }
 
 /// Names in a suite file are relative to it.
 std::string beside(const std::string& suite_file, const std::string& name) {
@@ -36,7 +35,7 @@ void readValue(const std::string& file, const std::string& key, const YAML::Node
   } else if (key == "paths") {
     suite.paths = value.as<Names>();
     for (std::string& path : suite.paths) {
-      path = isRouteKind(path) ? path : beside(file, path);
+      path = parseRouteKind(path) ? path : beside(file, path);
     }
   } else if (key == "levels") {
     suite.levels = value.as<Names>();
@@ -54,7 +53,7 @@ void readValue(const std::string& file, const std::string& key, const YAML::Node
 }
 
 std::vector<std::string> plansOf(const BenchSuite& suite) {
-  std::vector<std::string> plans = planFiles(suite.plans);
+  std::vector<std::string> plans = floorPlanFiles(suite.plans);
   for (std::int64_t i = 1; i <= suite.generate; ++i) {
     plans.push_back("generated " + std::to_string(i));
   }
@@ -79,7 +78,7 @@ void requireUsable(const BenchSuite& suite) {
   }
   collect([&] { benchmarkMethods(suite.methods); });
   for (const std::string& path : suite.paths) {
-    if (!isRouteKind(path) && !fs::exists(path)) {
+    if (!parseRouteKind(path) && !fs::exists(path)) {
       problems.add("paths: '" + path + "' is neither walls nor sparse, nor a file of way points");
     }
   }

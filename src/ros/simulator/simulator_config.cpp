@@ -42,20 +42,21 @@ void addLeaves(const YAML::Node& node, const std::string& path, std::set<std::st
 }
 
 void checkBuilding(const SimulatorConfig& config, Problems& problems) {
-  if (!config.plan.empty() && !config.generate.empty()) {
+  const BuildingSource& building = config.building;
+  if (!building.plan.empty() && !building.generate.empty()) {
     problems.add("plan and generate exclude each other: leave one of them empty");
   }
-  if (config.plan.empty() && config.generate.empty()) {
+  if (building.plan.empty() && building.generate.empty()) {
     problems.add(
         "plan must name a file (map_server YAML, HouseExpo JSON or PNG), or else generate must be "
         "flat or office");
   }
-  if (!config.generate.empty() && config.generate != "flat" && config.generate != "office") {
+  if (!building.generate.empty() && building.generate != "flat" && building.generate != "office") {
     problems.add("generate must be flat or office");
   }
-  problems.within("resolution", config.resolution_m, 0.01, 0.1);
-  problems.within("metres_per_pixel", config.metres_per_pixel, 0.0, 10.0);
-  problems.within("area", config.area_m2, 30.0, 400.0);
+  problems.within("resolution", building.options.resolution_m, 0.01, 0.1);
+  problems.within("metres_per_pixel", building.options.metres_per_pixel, 0.0, 10.0);
+  problems.within("area", building.area_m2, 30.0, 400.0);
   problems.within("access_point_count", static_cast<double>(config.access_point_count), 1.0, 100.0);
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "simulation/building/building_source.h"
 #include "simulation/robot/simulated_robot.h"
 #include "simulation/simulated_recording.h"
 
@@ -15,11 +16,7 @@ namespace sfw {
 
 /// Every setting of the simulated robot, with its default. config/simulator.yaml explains each one.
 struct SimulatorConfig {
-  std::string plan;               ///< floor plan: a file as readFloorPlan reads it
-  double resolution_m = 0.05;     ///< of plans drawn in metres, or made up [m]
-  double metres_per_pixel = 0.0;  ///< of a picture; 0: not given
-  std::string generate;           ///< instead of a plan: "flat" or "office", made up from the seed
-  double area_m2 = 90.0;          ///< of a building made up [m2]
+  BuildingSource building;  ///< its seed is that of the signals
 
   std::string route = "walls";  ///< "walls", "sparse" or a CSV file of way points
   std::vector<AccessPoint> access_points;
@@ -55,11 +52,11 @@ struct SimulatorConfig {
 /// config/simulator.yaml; the name is the path of the ROS parameter.
 template <class AnyConfig, class Visitor>
 void forEachSimulatorSetting(AnyConfig& config, Visitor&& visit) {
-  visit("plan", config.plan);
-  visit("resolution", config.resolution_m);
-  visit("metres_per_pixel", config.metres_per_pixel);
-  visit("generate", config.generate);
-  visit("area", config.area_m2);
+  visit("plan", config.building.plan);
+  visit("resolution", config.building.options.resolution_m);
+  visit("metres_per_pixel", config.building.options.metres_per_pixel);
+  visit("generate", config.building.generate);
+  visit("area", config.building.area_m2);
   visit("route", config.route);
   visit("access_point_count", config.access_point_count);
   visit("drive", config.drive);

@@ -8,7 +8,7 @@
 
 namespace sfw {
 
-/// What the simulated robot finds when it is switched on.
+/// The building, the access points and the route of a simulation.
 struct SimulatorWorld {
   FloorPlan plan;
   std::vector<AccessPoint> access_points;

@@ -42,7 +42,7 @@ std::vector<RoomChoice> choicesFor(int depth, bool main_row) {
 std::vector<std::size_t> addRooms(std::size_t corridor, const Rect& rect, Side corridor_side,
                                   bool main_row, FloorLayout& layout) {
   constexpr int kDeepBath = 340;
-  PortableRandom& dice = layout.dice();
+  PortableRandom& random = layout.random();
   const bool level = corridor_side == Side::kBottom || corridor_side == Side::kTop;
   const int depth = level ? rect.depth() : rect.width();
   const std::vector<std::size_t> row =
@@ -53,8 +53,8 @@ std::vector<std::size_t> addRooms(std::size_t corridor, const Rect& rect, Side c
       continue;
     }
     const std::size_t front =
-        layout.cutOff(row[i], corridor_side, dice.between(130, 160),
-                      dice.chance(60) ? RoomKind::kToilet : RoomKind::kStorage);
+        layout.cutOff(row[i], corridor_side, random.between(130, 160),
+                      random.chance(60) ? RoomKind::kToilet : RoomKind::kStorage);
     layout.addDoor(corridor, front);
     layout.addDoor(row[i], i > 0 ? row[i - 1] : row[i + 1]);
   }
@@ -70,7 +70,7 @@ struct StraightFlat {
   int notch;   // missing from the lower row at the hall's other end
 };
 
-StraightFlat chooseBar(int area_m2, PortableRandom& dice) {
+StraightFlat chooseBar(int area_m2, PortableRandom& random) {
   struct Depths {
     int below_m2, least, largest;
   };
@@ -79,18 +79,18 @@ StraightFlat chooseBar(int area_m2, PortableRandom& dice) {
   const Depths& depths = *std::find_if(std::begin(kDepths), std::end(kDepths),
                                        [&](const Depths& d) { return area_m2 < d.below_m2; });
   StraightFlat bar{};
-  bar.depth = dice.between(depths.least, depths.largest);
-  bar.wall = dice.between(15, 20);
-  const int hall = area_m2 < 70 ? dice.between(110, 125) : dice.between(125, 150);
+  bar.depth = random.between(depths.least, depths.largest);
+  bar.wall = random.between(15, 20);
+  const int hall = area_m2 < 70 ? random.between(110, 125) : random.between(125, 150);
   const int rest = bar.depth - hall - 2 * bar.wall;
-  const int lower = std::max(150, rest * dice.between(36, 46) / 100);
+  const int lower = std::max(150, rest * random.between(36, 46) / 100);
   bar.hall_bottom = lower + bar.wall;
   bar.hall_top = bar.hall_bottom + hall;
-  bar.notch = area_m2 > 60 && dice.chance(35) ? dice.between(200, 320) : 0;
+  bar.notch = area_m2 > 60 && random.chance(35) ? random.between(200, 320) : 0;
   bar.length = (area_m2 * kToCm2 + bar.notch * bar.hall_bottom) / bar.depth;
-  bar.living = area_m2 < 45   ? bar.length * dice.between(52, 60) / 100
-               : area_m2 < 70 ? bar.length * dice.between(42, 50) / 100
-                              : std::min(dice.between(380, 520), bar.length * 45 / 100);
+  bar.living = area_m2 < 45   ? bar.length * random.between(52, 60) / 100
+               : area_m2 < 70 ? bar.length * random.between(42, 50) / 100
+                              : std::min(random.between(380, 520), bar.length * 45 / 100);
   return bar;
 }
 
@@ -98,24 +98,24 @@ StraightFlat chooseBar(int area_m2, PortableRandom& dice) {
 void addKitchen(const StraightFlat& bar, std::size_t living, FloorLayout& layout) {
   constexpr int kLargeLiving = 26 * kToCm2;
   constexpr int kLeastKitchen = 210;
-  PortableRandom& dice = layout.dice();
-  if (bar.living * bar.depth < kLargeLiving || !dice.chance(65)) {
+  PortableRandom& random = layout.random();
+  if (bar.living * bar.depth < kLargeLiving || !random.chance(65)) {
     return;
   }
-  const bool low = dice.chance(50);
+  const bool low = random.chance(50);
   const int most = (low ? bar.hall_bottom : bar.depth - bar.hall_top) - layout.partition();
-  const int depth = std::min(dice.between(240, 330), most);
+  const int depth = std::min(random.between(240, 330), most);
   if (depth < kLeastKitchen) {
     return;
   }
   const std::size_t kitchen =
       layout.cutOff(living, low ? Side::kBottom : Side::kTop, depth, RoomKind::kKitchen);
-  layout.connect(living, kitchen, dice.chance(60) ? dice.between(120, 220) : 85);
+  layout.connect(living, kitchen, random.chance(60) ? random.between(120, 220) : 85);
 }
 
 void drawBar(int area_m2, FloorLayout& layout) {
-  PortableRandom& dice = layout.dice();
-  const StraightFlat bar = chooseBar(area_m2, dice);
+  PortableRandom& random = layout.random();
+  const StraightFlat bar = chooseBar(area_m2, random);
   const int hall_end = bar.length - bar.living - bar.wall;
   layout.addInside({0, bar.hall_bottom, bar.length, bar.depth});
   layout.addInside({bar.notch, 0, bar.length, bar.hall_bottom});
@@ -124,12 +124,12 @@ void drawBar(int area_m2, FloorLayout& layout) {
   const std::size_t living =
       layout.addRoom(RoomKind::kLiving, {hall_end + bar.wall, 0, bar.length, bar.depth});
   addKitchen(bar, living, layout);
-  layout.connect(hall, living, dice.chance(60) ? 130 : 85);
+  layout.connect(hall, living, random.chance(60) ? 130 : 85);
   addRooms(hall, {bar.notch, 0, hall_end, bar.hall_bottom - bar.wall}, Side::kTop, false, layout);
   const std::vector<std::size_t> upper = addRooms(
       hall, {0, bar.hall_top + bar.wall, hall_end, bar.depth}, Side::kBottom, true, layout);
-  if (dice.chance(30)) {
-    layout.connect(upper.back(), living, dice.chance(50) ? 160 : 85);
+  if (random.chance(30)) {
+    layout.connect(upper.back(), living, random.chance(50) ? 160 : 85);
   }
 }
 
@@ -143,19 +143,19 @@ struct LShapedFlat {
   int length, height;         // of both wings together
 };
 
-LShapedFlat chooseEll(int area_m2, PortableRandom& dice) {
+LShapedFlat chooseEll(int area_m2, PortableRandom& random) {
   LShapedFlat ell{};
-  ell.wall = dice.between(15, 20);
-  ell.hall = dice.between(130, 160);
-  ell.hall_bottom = dice.between(320, 420) + ell.wall;
+  ell.wall = random.between(15, 20);
+  ell.hall = random.between(130, 160);
+  ell.hall_bottom = random.between(320, 420) + ell.wall;
   ell.hall_top = ell.hall_bottom + ell.hall;
-  ell.wing_depth = ell.hall_top + ell.wall + dice.between(240, 400);
-  const int left_row = dice.between(240, 400);
-  const int right_row = dice.between(340, 440);
+  ell.wing_depth = ell.hall_top + ell.wall + random.between(240, 400);
+  const int left_row = random.between(240, 400);
+  const int right_row = random.between(340, 440);
   const int wing_width = left_row + ell.wall + ell.hall + ell.wall + right_row;
   const int area = area_m2 * kToCm2;
   // Long enough that both wings show.
-  ell.length = std::max(area * dice.between(50, 60) / 100 / ell.wing_depth, wing_width + 250);
+  ell.length = std::max(area * random.between(50, 60) / 100 / ell.wing_depth, wing_width + 250);
   ell.wing_left = ell.length - wing_width;
   ell.hall_left = ell.wing_left + left_row + ell.wall;
   ell.hall_right = ell.hall_left + ell.hall;
@@ -164,14 +164,14 @@ LShapedFlat chooseEll(int area_m2, PortableRandom& dice) {
 }
 
 void drawEll(int area_m2, FloorLayout& layout) {
-  PortableRandom& dice = layout.dice();
-  const LShapedFlat ell = chooseEll(area_m2, dice);
+  PortableRandom& random = layout.random();
+  const LShapedFlat ell = chooseEll(area_m2, random);
   layout.addInside({0, 0, ell.length, ell.wing_depth});
   layout.addInside({ell.wing_left, ell.wing_depth, ell.length, ell.height});
   // The second hall ends at a room across its wing, or at a window.
-  const int across = dice.chance(60) ? dice.between(320, 400) : 0;
+  const int across = random.chance(60) ? random.between(320, 400) : 0;
   const int wing_top = across > 0 ? ell.height - across - ell.wall : ell.height;
-  const int living_top = ell.hall_top + dice.between(0, 60);
+  const int living_top = ell.hall_top + random.between(0, 60);
   const int east = ell.hall_right + ell.wall;
   const std::size_t hall =
       layout.addRoom(RoomKind::kCorridor, {0, ell.hall_bottom, ell.hall_right, ell.hall_top});
@@ -197,7 +197,7 @@ void drawEll(int area_m2, FloorLayout& layout) {
 
 void drawFlat(int area_m2, FloorLayout& layout) {
   constexpr int kLeastEll = 170;
-  if (area_m2 >= kLeastEll && layout.dice().chance(area_m2 > 230 ? 85 : 50)) {
+  if (area_m2 >= kLeastEll && layout.random().chance(area_m2 > 230 ? 85 : 50)) {
     drawEll(area_m2, layout);
   } else {
     drawBar(area_m2, layout);

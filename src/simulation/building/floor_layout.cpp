@@ -29,7 +29,7 @@ struct Share {
 
 /// Draws one of the choices that the row may still hold; the first if there is none left.
 RoomChoice draw(const std::vector<RoomChoice>& choices, const std::vector<Share>& row,
-                PortableRandom& dice) {
+                PortableRandom& random) {
   std::vector<int> weights;
   for (const RoomChoice& choice : choices) {
     const auto used = std::count_if(row.begin(), row.end(), [&](const Share& share) {
@@ -37,7 +37,7 @@ RoomChoice draw(const std::vector<RoomChoice>& choices, const std::vector<Share>
     });
     weights.push_back(used < choice.most ? choice.weight : 0);
   }
-  int lot = dice.between(1, std::accumulate(weights.begin(), weights.end(), 0));
+  int lot = random.between(1, std::accumulate(weights.begin(), weights.end(), 0));
   for (std::size_t i = 0; i < choices.size(); ++i) {
     lot -= weights[i];
     if (lot <= 0 && weights[i] > 0) {
@@ -49,12 +49,12 @@ RoomChoice draw(const std::vector<RoomChoice>& choices, const std::vector<Share>
 
 /// Rooms whose widths and walls fill `length` as well as whole rooms can.
 std::vector<Share> fill(int length, int partition, const std::vector<RoomChoice>& choices,
-                        PortableRandom& dice) {
+                        PortableRandom& random) {
   std::vector<Share> row;
   int used = -partition;
   while (true) {
-    const RoomChoice choice = draw(choices, row, dice);
-    const int width = dice.between(choice.least_width, choice.largest_width);
+    const RoomChoice choice = draw(choices, row, random);
+    const int width = random.between(choice.least_width, choice.largest_width);
     // The last room overshoots by less than it would leave: then squeezing is the smaller evil.
     const bool fits = used + partition + width <= length;
     const bool better = used + partition + width - length < length - used;
@@ -116,7 +116,7 @@ std::vector<std::size_t> FloorLayout::addRow(const Rect& rect, Axis axis,
                                              const std::vector<RoomChoice>& choices) {
   std::vector<std::size_t> numbers;
   const Rect along = axis == Axis::kX ? rect : rect.transposed();
-  std::vector<Share> row = fill(along.width(), partition_, choices, dice_);
+  std::vector<Share> row = fill(along.width(), partition_, choices, random_);
   fit(along.width(), partition_, row);
   int at = along.left;
   for (const Share& share : row) {
@@ -168,8 +168,8 @@ bool FloorLayout::connect(std::size_t a, std::size_t b, int width_cm) {
   const int width = std::min(width_cm, room);
   // Doors stand near a corner, so that furniture finds a wall; openings anywhere.
   const int spare = room - width;
-  int shift = dice_.between(0, width_cm > 100 ? spare : std::min(spare, 40));
-  shift = dice_.chance(50) ? shift : spare - shift;
+  int shift = random_.between(0, width_cm > 100 ? spare : std::min(spare, 40));
+  shift = random_.chance(50) ? shift : spare - shift;
   const int from = wall->bottom + kDoorFrame + shift;
   const Rect hole{wall->left, from, wall->right, from + width};
   holes_.push_back(upright ? hole : hole.transposed());

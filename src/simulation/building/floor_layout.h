@@ -6,8 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "simulation/building/plan_generator.h"
-
 namespace sfw {
 
 /// A rectangle in whole centimetres of the building's own frame.
@@ -20,6 +18,21 @@ struct Rect {
   Rect transposed() const { return {bottom, left, top, right}; }
 };
 
+/// The use of a room.
+enum class RoomKind {
+  kLiving,
+  kKitchen,
+  kBedroom,
+  kStudy,
+  kBath,
+  kToilet,
+  kStorage,  // of flats, but offices too
+  kCorridor,
+  kOffice,
+  kOpenPlan,
+  kMeeting
+};
+
 /// A room, or a stretch of corridor.
 struct LayoutRoom {
   RoomKind kind;
@@ -29,7 +42,11 @@ struct LayoutRoom {
 /// The axis along which a row of rooms stands.
 enum class Axis { kX, kY };
 
-/// Whole numbers that are the same on every machine, unlike those of std::uniform_int_distribution.
+/// Random whole numbers for layouts that are the same on every machine, unlike those of
+/// std::uniform_int_distribution.
+///
+/// Layouts keep this generator beside Random (base/random.h): another one would draw another
+/// building from each seed, and no drive of an earlier release could be repeated.
 class PortableRandom {
  public:
   explicit PortableRandom(std::uint64_t seed) : engine_(seed) {}
@@ -58,7 +75,7 @@ struct RoomChoice {
 /// A floor while it is being drawn: its outline, its rooms, and the holes in its walls.
 class FloorLayout {
  public:
-  FloorLayout(PortableRandom& dice, int partition_cm) : dice_(dice), partition_(partition_cm) {}
+  FloorLayout(PortableRandom& random, int partition_cm) : random_(random), partition_(partition_cm) {}
 
   /// Thickness of the walls between rooms of a row [cm].
   int partition() const { return partition_; }
@@ -88,7 +105,7 @@ class FloorLayout {
   bool connect(std::size_t a, std::size_t b, int width_cm);
 
   /// connect, as wide as a door.
-  bool addDoor(std::size_t a, std::size_t b) { return connect(a, b, dice_.between(80, 90)); }
+  bool addDoor(std::size_t a, std::size_t b) { return connect(a, b, random_.between(80, 90)); }
 
   /// Gives a door to every room that cannot be reached from the first, where it shares a wall with
   /// one that can.
@@ -97,12 +114,12 @@ class FloorLayout {
   const std::vector<LayoutRoom>& rooms() const { return rooms_; }
   const std::vector<Rect>& inside() const { return inside_; }
   const std::vector<Rect>& holes() const { return holes_; }
-  PortableRandom& dice() { return dice_; }
+  PortableRandom& random() { return random_; }
 
  private:
   std::vector<std::size_t> reachable() const;
 
-  PortableRandom& dice_;
+  PortableRandom& random_;
   int partition_;
   std::vector<Rect> inside_;
   std::vector<LayoutRoom> rooms_;

@@ -108,7 +108,7 @@ void buildWalls(Grid<CellState>& states) {
   }
 }
 
-Grid<CellState> readHouseExpo(const std::string& file, const PlanOptions& options) {
+Grid<CellState> readHouseExpo(const std::string& file, const FloorPlanOptions& options) {
   const std::vector<Position> outline = parseOutline(file);
   requireTraceable(file, outline, options.resolution_m);
   Box box;
@@ -130,7 +130,7 @@ Grid<CellState> readHouseExpo(const std::string& file, const PlanOptions& option
   }
 }
 
-Grid<CellState> readStates(const std::string& file, const PlanOptions& options) {
+Grid<CellState> readStates(const std::string& file, const FloorPlanOptions& options) {
   switch (kindOf(file)) {
     case PlanKind::kHouseExpo:
       return readHouseExpo(file, options);
@@ -139,22 +139,22 @@ Grid<CellState> readStates(const std::string& file, const PlanOptions& options) 
     case PlanKind::kPicture:
       break;
   }
-  return readPicture(file, options, kMostCells);
+  return readFloorPlanPng(file, options, kMostCells);
 }
 
 }  // namespace
 
-std::vector<std::string> validate(const PlanOptions& options) {
+std::vector<std::string> validate(const FloorPlanOptions& options) {
   constexpr double kLeast = 0.001, kMost = 10.0;  // [m]
   Problems problems;
   problems.within("resolution", options.resolution_m, kLeast, kMost, "m");
-  if (options.metres_per_pixel) {
-    problems.within("metres_per_pixel", *options.metres_per_pixel, kLeast, kMost, "m");
+  if (options.metres_per_pixel != 0.0) {
+    problems.within("metres_per_pixel", options.metres_per_pixel, kLeast, kMost, "m");
   }
   return problems.list();
 }
 
-FloorPlan readFloorPlan(const std::string& file, const PlanOptions& options) {
+FloorPlan readFloorPlan(const std::string& file, const FloorPlanOptions& options) {
   throwIfAny(validate(options));
   const Grid<CellState> states = readStates(file, options);
   if (static_cast<std::int64_t>(states.cells.size()) > kMostCells) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,16 +7,17 @@
 
 namespace sfw {
 
-/// How a plan's file becomes cells.
-struct PlanOptions {
-  double resolution_m = 0.05;              ///< of plans drawn in metres (HouseExpo) [m]
-  std::optional<double> metres_per_pixel;  ///< of pictures, which cannot say it themselves
+/// The scale at which a file becomes cells.
+struct FloorPlanOptions {
+  double resolution_m = 0.05;     ///< of plans drawn in metres (HouseExpo) [m]
+  double metres_per_pixel = 0.0;  ///< scale of a PNG; 0: unknown
 };
 
 /// Every problem of the options, one sentence each that starts with the option's name.
-std::vector<std::string> validate(const PlanOptions& options);
+std::vector<std::string> validate(const FloorPlanOptions& options);
 
-/// Reads a building from one of three kinds of file, by its name's ending or else its content:
+/// Reads a floor plan from a file of one of three kinds. The ending of its name decides the kind,
+/// or else its content:
 ///
 /// - HouseExpo JSON: `verts` is the outline of the free space [m], walls being slits and notches of
 ///   it. Cells whose centre is inside (even-odd) are free; cells outside within 0.15 m of free ones
@@ -33,6 +33,6 @@ std::vector<std::string> validate(const PlanOptions& options);
 /// @throw InputError naming the file and what is wrong: unreadable, malformed, without free cells,
 /// larger than 64 million cells, or an option out of range or missing.
 /// O(cells + rows and columns crossed by the outline).
-FloorPlan readFloorPlan(const std::string& file, const PlanOptions& options = {});
+FloorPlan readFloorPlan(const std::string& file, const FloorPlanOptions& options = {});
 
 }  // namespace sfw

@@ -104,9 +104,10 @@ void clearAround(const std::string& file, Grid<CellState>& states) {
     any_free = any_free || states.cells[i] == CellState::kFree;
   }
   if (!any_free) {
-    throw InputError(file +
-                     ": no enclosed room: every white area touches the image border; close the outer "
-                     "walls and doors in the image");
+    throw InputError(
+        file +
+        ": no enclosed room: every white area touches the image border; close the outer "
+        "walls and doors in the image");
   }
 }
 
@@ -117,13 +118,13 @@ bool isPng(std::string_view bytes) {
   return bytes.substr(0, kMagic.size()) == kMagic;
 }
 
-Grid<CellState> readPicture(const std::string& file, const PlanOptions& options,
-                            std::int64_t max_cells) {
+Grid<CellState> readFloorPlanPng(const std::string& file, const FloorPlanOptions& options,
+                                 std::int64_t max_cells) {
   const Surface pixels = decode(file, max_cells);
-  if (!options.metres_per_pixel) {
-    throw InputError(file + ": a PNG does not say how large it is: give metres per pixel");
+  if (options.metres_per_pixel == 0.0) {
+    throw InputError(file + ": a PNG has no scale: give metres per pixel");
   }
-  Grid<CellState> states(GridGeometry(*options.metres_per_pixel, Position::Zero(),
+  Grid<CellState> states(GridGeometry(options.metres_per_pixel, Position::Zero(),
                                       cairo_image_surface_get_width(pixels.get()),
                                       cairo_image_surface_get_height(pixels.get())));
   const unsigned char* row = cairo_image_surface_get_data(pixels.get());

@@ -14,7 +14,7 @@ bool isPng(std::string_view bytes);
 /// Reads a PNG as a plan, one pixel a cell. See readFloorPlan for what pixels mean.
 /// @throw InputError naming the file if it cannot be decoded, its scale is missing, it has more
 /// than `max_cells` pixels, or every white area touches the image border.
-Grid<CellState> readPicture(const std::string& file, const PlanOptions& options,
-                            std::int64_t max_cells);
+Grid<CellState> readFloorPlanPng(const std::string& file, const FloorPlanOptions& options,
+                                 std::int64_t max_cells);
 
 }  // namespace sfw

@@ -27,9 +27,9 @@ std::vector<RoomChoice> coreRow() {
 /// Turns a room into toilets: a lobby at the corridor and two toilets behind it.
 void divideToilets(std::size_t corridor, std::size_t room, Side corridor_side,
                    FloorLayout& layout) {
-  PortableRandom& dice = layout.dice();
+  PortableRandom& random = layout.random();
   const std::size_t lobby =
-      layout.cutOff(room, corridor_side, dice.between(140, 170), RoomKind::kStorage);
+      layout.cutOff(room, corridor_side, random.between(140, 170), RoomKind::kStorage);
   const bool level = corridor_side == Side::kBottom || corridor_side == Side::kTop;
   const Rect rest = layout.rooms()[room].rect;
   const int half = ((level ? rest.width() : rest.depth()) - layout.partition()) / 2;
@@ -45,7 +45,7 @@ void divideToilets(std::size_t corridor, std::size_t room, Side corridor_side,
 void addRooms(std::size_t corridor, const Rect& rect, Side corridor_side,
               const std::vector<RoomChoice>& choices, FloorLayout& layout) {
   constexpr int kDeepToilets = 310;
-  PortableRandom& dice = layout.dice();
+  PortableRandom& random = layout.random();
   const std::vector<std::size_t> row = layout.addRow(rect, Axis::kX, choices);
   for (std::size_t i = 0; i < row.size(); ++i) {
     const RoomKind kind = layout.rooms()[row[i]].kind;
@@ -54,10 +54,10 @@ void addRooms(std::size_t corridor, const Rect& rect, Side corridor_side,
       continue;
     }
     layout.connect(corridor, row[i],
-                   kind == RoomKind::kOpenPlan ? dice.between(180, 300) : dice.between(80, 90));
+                   kind == RoomKind::kOpenPlan ? random.between(180, 300) : random.between(80, 90));
     const bool offices =
         i > 0 && kind == RoomKind::kOffice && layout.rooms()[row[i - 1]].kind == RoomKind::kOffice;
-    if (offices && dice.chance(15)) {
+    if (offices && random.chance(15)) {
       layout.addDoor(row[i - 1], row[i]);
     }
   }
@@ -65,10 +65,10 @@ void addRooms(std::size_t corridor, const Rect& rect, Side corridor_side,
 
 /// A reception along one façade and offices behind it.
 void drawSingleRow(int area_m2, FloorLayout& layout) {
-  PortableRandom& dice = layout.dice();
-  const int wall = dice.between(12, 20);
-  const int reception = dice.between(170, 240);
-  const int offices = dice.between(360, 460);
+  PortableRandom& random = layout.random();
+  const int wall = random.between(12, 20);
+  const int reception = random.between(170, 240);
+  const int offices = random.between(360, 460);
   const int depth = reception + wall + offices;
   const int length = area_m2 * kToCm2 / depth;
   layout.addInside({0, 0, length, depth});
@@ -78,13 +78,13 @@ void drawSingleRow(int area_m2, FloorLayout& layout) {
 
 /// Offices on both sides of a corridor that ends in a room across the whole wing.
 void drawDoubleRow(int area_m2, FloorLayout& layout) {
-  PortableRandom& dice = layout.dice();
-  const int wall = dice.between(12, 20);
-  const int hall_bottom = dice.between(380, 500) + wall;
-  const int hall_top = hall_bottom + dice.between(160, 200);
-  const int depth = hall_top + wall + dice.between(420, 540);
+  PortableRandom& random = layout.random();
+  const int wall = random.between(12, 20);
+  const int hall_bottom = random.between(380, 500) + wall;
+  const int hall_top = hall_bottom + random.between(160, 200);
+  const int depth = hall_top + wall + random.between(420, 540);
   const int length = area_m2 * kToCm2 / depth;
-  const int end_room = length > 1100 && dice.chance(70) ? dice.between(450, 750) : 0;
+  const int end_room = length > 1100 && random.chance(70) ? random.between(450, 750) : 0;
   const int hall_end = end_room > 0 ? length - end_room - wall : length;
   layout.addInside({0, 0, length, depth});
   const std::size_t corridor =
@@ -94,7 +94,7 @@ void drawDoubleRow(int area_m2, FloorLayout& layout) {
   if (end_room > 0) {
     const std::size_t room =
         layout.addRoom(RoomKind::kOpenPlan, {hall_end + wall, 0, length, depth});
-    layout.connect(corridor, room, dice.chance(50) ? 180 : 90);
+    layout.connect(corridor, room, random.chance(50) ? 180 : 90);
   }
 }
 
@@ -106,24 +106,24 @@ struct Ring {
   int depth;
 };
 
-Ring chooseRing(PortableRandom& dice) {
+Ring chooseRing(PortableRandom& random) {
   Ring ring{};
-  ring.wall = dice.between(12, 20);
-  ring.hall = dice.between(150, 180);
-  ring.first_bottom = dice.between(400, 500) + ring.wall;
+  ring.wall = random.between(12, 20);
+  ring.hall = random.between(150, 180);
+  ring.first_bottom = random.between(400, 500) + ring.wall;
   ring.first_top = ring.first_bottom + ring.hall;
-  ring.second_bottom = ring.first_top + ring.wall + dice.between(320, 450) + ring.wall;
+  ring.second_bottom = ring.first_top + ring.wall + random.between(320, 450) + ring.wall;
   ring.second_top = ring.second_bottom + ring.hall;
-  ring.depth = ring.second_top + ring.wall + dice.between(400, 500);
+  ring.depth = ring.second_top + ring.wall + random.between(400, 500);
   return ring;
 }
 
 /// A corridor around a core of rooms without daylight, offices around the corridor.
 void drawRing(int area_m2, FloorLayout& layout) {
-  PortableRandom& dice = layout.dice();
-  const Ring ring = chooseRing(dice);
+  PortableRandom& random = layout.random();
+  const Ring ring = chooseRing(random);
   const int length = area_m2 * kToCm2 / ring.depth;
-  const int end_room = length > 1900 ? dice.between(450, 600) : 0;
+  const int end_room = length > 1900 ? random.between(450, 600) : 0;
   const int end = end_room > 0 ? length - end_room - ring.wall : length;
   layout.addInside({0, 0, length, ring.depth});
   const auto hall = [&](const Rect& rect) { return layout.addRoom(RoomKind::kCorridor, rect); };
@@ -138,7 +138,7 @@ void drawRing(int area_m2, FloorLayout& layout) {
   addRooms(first, {0, 0, end, ring.first_bottom - ring.wall}, Side::kTop, facadeRow(), layout);
   addRooms(second, {0, ring.second_top + ring.wall, end, ring.depth}, Side::kBottom, facadeRow(),
            layout);
-  const bool from_first = dice.chance(50);
+  const bool from_first = random.chance(50);
   addRooms(from_first ? first : second,
            {ring.hall + ring.wall, ring.first_top + ring.wall, end - ring.hall - ring.wall,
             ring.second_bottom - ring.wall},
@@ -146,7 +146,7 @@ void drawRing(int area_m2, FloorLayout& layout) {
   if (end_room > 0) {
     const std::size_t room =
         layout.addRoom(RoomKind::kOpenPlan, {end + ring.wall, 0, length, ring.depth});
-    layout.connect(east, room, dice.between(90, 200));
+    layout.connect(east, room, random.between(90, 200));
   }
 }
 
@@ -157,7 +157,7 @@ void drawOffice(int area_m2, FloorLayout& layout) {
   constexpr int kLeastRing = 230;
   if (area_m2 < kLeastDoubleRow) {
     drawSingleRow(area_m2, layout);
-  } else if (area_m2 >= kLeastRing && layout.dice().chance(60)) {
+  } else if (area_m2 >= kLeastRing && layout.random().chance(60)) {
     drawRing(area_m2, layout);
   } else {
     drawDoubleRow(area_m2, layout);

@@ -224,6 +224,13 @@ std::vector<Cell> withSomewhereToGo(std::vector<Cell> route, const Configuration
 
 }  // namespace
 
+std::optional<RouteKind> parseRouteKind(std::string_view name) {
+  if (name == "walls") {
+    return RouteKind::kWalls;
+  }
+  return name == "sparse" ? std::optional(RouteKind::kSparse) : std::nullopt;
+}
+
 std::vector<std::string> validate(const RoutePlannerConfig& config) {
   Problems problems;
   problems.within("robot_radius", config.robot_radius_m, 0.01, 5.0, "m");

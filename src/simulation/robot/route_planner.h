@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "structure_from_wifi/grid_geometry.h"
@@ -9,13 +10,16 @@
 
 namespace sfw {
 
-/// How thoroughly a robot looks around.
+/// How thoroughly a route covers a building.
 enum class RouteKind {
   kWalls,  ///< along the walls of every room at a clearance, then across its middle
   kSparse  ///< a patrol of a few way points a room
 };
 
-/// Which robot drives, and from where.
+/// The kind of a route by its name, "walls" or "sparse"; nothing for any other text.
+std::optional<RouteKind> parseRouteKind(std::string_view name);
+
+/// The robot that drives a planned route, and its start.
 struct RoutePlannerConfig {
   double robot_radius_m = 0.2;  ///< [m]
   double clearance_m = 0.3;     ///< between robot and walls, where there is room for it [m]

@@ -7,15 +7,15 @@
 #include <filesystem>
 
 #include "support/ascii_world.h"
+#include "support/floor_plan_files.h"
 #include "support/floor_plans.h"
-#include "support/plan_files.h"
 
 namespace sfw {
 namespace {
 
 using Rows = std::vector<std::string>;
 
-class PlanIo : public test::PlanFiles {
+class FloorPlanIo : public test::FloorPlanFiles {
  protected:
   std::string house(const std::string& vertices) const {
     return write("house.json", R"({"id": "1", "room_num": 2, "verts": )" + vertices + "}");
@@ -42,15 +42,15 @@ Rows pictureOf(const FloorPlan& plan) {
   return rows;
 }
 
-PlanOptions coarse() {
-  PlanOptions options;
+FloorPlanOptions coarse() {
+  FloorPlanOptions options;
   options.resolution_m = 0.1;
   return options;
 }
 
 // ---- HouseExpo ----
 
-TEST_F(PlanIo, HouseExpoOutlineBecomesFloorWithinWalls) {
+TEST_F(FloorPlanIo, HouseExpoOutlineBecomesFloorWithinWalls) {
   const FloorPlan plan =
       readFloorPlan(house("[[0.1,0.1],[1.1,0.1],[1.1,0.6],[0.1,0.6]]"), coarse());
   EXPECT_EQ(pictureOf(plan), (Rows{"OOOOOOOOOOOO",  //
@@ -69,7 +69,7 @@ TEST_F(PlanIo, HouseExpoOutlineBecomesFloorWithinWalls) {
   EXPECT_GE(plan.geometry.box().max().y(), 0.6 + 0.5);
 }
 
-TEST_F(PlanIo, SlitsAreWallAllThrough) {
+TEST_F(FloorPlanIo, SlitsAreWallAllThrough) {
   // A wall of 0.4 m from the top, with the floor below it.
   const FloorPlan plan = readFloorPlan(
       house("[[0,0],[2.4,0],[2.4,1],[1.4,1],[1.4,0.6],[1,0.6],[1,1],[0,1]]"), coarse());
@@ -79,7 +79,7 @@ TEST_F(PlanIo, SlitsAreWallAllThrough) {
   EXPECT_NE(rows[11].find("?#........................#?"), std::string::npos) << rows[11];
 }
 
-TEST_F(PlanIo, WallsTooThinForACentreAreKept) {
+TEST_F(FloorPlanIo, WallsTooThinForACentreAreKept) {
   // Slits of 2 cm and of nothing at all, upright and level.
   const std::string upright = "[[0,0],[2,0],[2,1],[0.99,1],[0.99,0.3],[0.97,0.3],[0.97,1],[0,1]]";
   EXPECT_EQ(pictureOf(readFloorPlan(house(upright), coarse()))[3], "O.........I..........O");
@@ -89,13 +89,13 @@ TEST_F(PlanIo, WallsTooThinForACentreAreKept) {
   EXPECT_EQ(pictureOf(readFloorPlan(house(level), coarse()))[11], "OOIIIIII...O");
 }
 
-TEST_F(PlanIo, EitherSenseAndAnyStartOfTheOutlineWillDo) {
+TEST_F(FloorPlanIo, EitherSenseAndAnyStartOfTheOutlineWillDo) {
   const FloorPlan one = readFloorPlan(house("[[0,0],[2,0],[2,1],[0,1]]"), coarse());
   const FloorPlan other = readFloorPlan(house("[[2,1],[2,0],[0,0],[0,1]]"), coarse());
   EXPECT_EQ(one.cells, other.cells);
 }
 
-TEST_F(PlanIo, SaysWhatIsWrongWithAHouse) {
+TEST_F(FloorPlanIo, SaysWhatIsWrongWithAHouse) {
   EXPECT_EQ(complaintOf(house("[[0,0],[1,0],[1,1]")), "not valid JSON");
   EXPECT_EQ(complaintOf(write("a.json", "{\"vertices\": []}")),
             "not a HouseExpo plan: 'verts', a list of [x, y], is missing");
@@ -112,7 +112,7 @@ TEST_F(PlanIo, SaysWhatIsWrongWithAHouse) {
   EXPECT_EQ(complaintOf(house("[[0,0],[0,0],[0,0]]")), "the plan has no free cell");
 }
 
-TEST_F(PlanIo, RefusesHostileSizes) {
+TEST_F(FloorPlanIo, RefusesHostileSizes) {
   EXPECT_EQ(complaintOf(house("[[0,0],[1000,0],[1000,1000],[0,1000]]")),
             "the plan would have more than 64 million cells; choose a coarser resolution");
   EXPECT_EQ(complaintOf(house("[[0,0],[900000,0],[900000,1],[0,1]]")),
@@ -126,7 +126,7 @@ TEST_F(PlanIo, RefusesHostileSizes) {
 
 // ---- map_server ----
 
-TEST_F(PlanIo, ReadsMapServer) {
+TEST_F(FloorPlanIo, ReadsMapServer) {
   write("map.pgm", "P2 5 3 255  0 0 0 0 0  0 254 205 254 0  0 0 0 0 0");
   const std::string file =
       write("map.yaml", "image: map.pgm\nresolution: 0.1\norigin: [-1, 2, 0]\nmode: scale\n");
@@ -135,7 +135,7 @@ TEST_F(PlanIo, ReadsMapServer) {
   EXPECT_EQ(plan.geometry, GridGeometry(0.1, {-1.0, 2.0}, 5, 3));
 }
 
-TEST_F(PlanIo, APgmAloneIsNoPlan) {
+TEST_F(FloorPlanIo, APgmAloneIsNoPlan) {
   const std::string file = write("map.pgm", "P2 1 1 255 254");
   EXPECT_EQ(complaintOf(file),
             "not a plan: give a HouseExpo .json, a map_server .yaml (for a .pgm, the one beside "
@@ -144,20 +144,20 @@ TEST_F(PlanIo, APgmAloneIsNoPlan) {
 
 // ---- Files and options ----
 
-TEST_F(PlanIo, ContentDecidesWhereTheNameDoesNot) {
+TEST_F(FloorPlanIo, ContentDecidesWhereTheNameDoesNot) {
   const std::string house_file = house("[[0,0],[1,0],[1,1]]");
   std::filesystem::copy(house_file, path("house"));
   EXPECT_EQ(readFloorPlan(path("house")).cells, readFloorPlan(house_file).cells);
 }
 
-TEST_F(PlanIo, NamesAMissingFile) {
+TEST_F(FloorPlanIo, NamesAMissingFile) {
   for (const char* name : {"no.json", "no.yaml", "no.png", "no"}) {
     EXPECT_NE(complaintOf(path(name)).find("cannot be read"), std::string::npos);
   }
 }
 
-TEST_F(PlanIo, ListsEveryBadOption) {
-  PlanOptions options;
+TEST_F(FloorPlanIo, ListsEveryBadOption) {
+  FloorPlanOptions options;
   options.resolution_m = 0.0;
   options.metres_per_pixel = std::nan("");
   EXPECT_EQ(complaint("plan.json", options),
@@ -167,7 +167,7 @@ TEST_F(PlanIo, ListsEveryBadOption) {
 
 // ---- Real plans ----
 
-TEST(PlanIoRealPlans, ReadsEachOne) {
+TEST(FloorPlanIoRealPlans, ReadsEachOne) {
   const std::vector<std::string> files = test::floorPlans();
   if (files.empty()) {
     GTEST_SKIP() << test::kNoFloorPlans;

@@ -7,14 +7,14 @@
 
 #include "simulation/building/floor_plan_io.h"
 #include "support/ascii_world.h"
-#include "support/plan_files.h"
+#include "support/floor_plan_files.h"
 
 namespace sfw {
 namespace {
 
 using Rows = std::vector<std::string>;
 
-class PlanPicture : public test::PlanFiles {
+class FloorPlanPng : public test::FloorPlanFiles {
  protected:
   /// A PNG of one pixel a character: '#' black, '.' white, 'g' grey, ' ' transparent.
   std::string picture(const Rows& rows) const {
@@ -37,8 +37,8 @@ class PlanPicture : public test::PlanFiles {
   }
 };
 
-TEST_F(PlanPicture, ReadsPictures) {
-  PlanOptions options;
+TEST_F(FloorPlanPng, ReadsPictures) {
+  FloorPlanOptions options;
   options.metres_per_pixel = 0.2;
   const FloorPlan plan = readFloorPlan(picture({"        ",  //
                                                 " ...... ",  //
@@ -56,8 +56,8 @@ TEST_F(PlanPicture, ReadsPictures) {
   EXPECT_EQ(plan.geometry, GridGeometry(0.2, {0.0, 0.0}, 8, 6));
 }
 
-TEST_F(PlanPicture, WhiteAroundTheBuildingIsOutside) {
-  PlanOptions options;
+TEST_F(FloorPlanPng, WhiteAroundTheBuildingIsOutside) {
+  FloorPlanOptions options;
   options.metres_per_pixel = 0.2;
   const std::string file = picture({".......",  //
                                     ".#####.",  //
@@ -73,10 +73,10 @@ TEST_F(PlanPicture, WhiteAroundTheBuildingIsOutside) {
                   "???????"}));
 }
 
-TEST_F(PlanPicture, SaysWhatIsWrongWithAPicture) {
-  PlanOptions options;
+TEST_F(FloorPlanPng, SaysWhatIsWrongWithAPicture) {
+  FloorPlanOptions options;
   const std::string leak = picture({"###", "...", "###"});
-  EXPECT_EQ(complaintOf(leak), "a PNG does not say how large it is: give metres per pixel");
+  EXPECT_EQ(complaintOf(leak), "a PNG has no scale: give metres per pixel");
   options.metres_per_pixel = 0.1;
   EXPECT_NE(complaintOf(leak, options).find("no enclosed room"), std::string::npos);
   EXPECT_EQ(complaintOf(write("a.png", "nothing of the kind"), options), "not a PNG image");
@@ -91,8 +91,8 @@ TEST_F(PlanPicture, SaysWhatIsWrongWithAPicture) {
             std::string::npos);
 }
 
-TEST_F(PlanPicture, ContentDecidesWhereTheNameDoesNot) {
-  PlanOptions options;
+TEST_F(FloorPlanPng, ContentDecidesWhereTheNameDoesNot) {
+  FloorPlanOptions options;
   options.metres_per_pixel = 0.1;
   std::filesystem::copy(picture({"###", "#.#", "###"}), path("picture"));
   EXPECT_EQ(readFloorPlan(path("picture"), options).geometry.width(), 3);

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <functional>
 
+#include "simulation/building/floor_plan_generator.h"
 #include "simulation/building/floor_plan_io.h"
-#include "simulation/building/plan_generator.h"
 #include "simulation/robot/route.h"
 #include "structure_from_wifi/input_error.h"
 #include "support/ascii_world.h"
@@ -229,12 +229,12 @@ TEST(RoutePlanner, ListsEveryBadSetting) {
 
 TEST(RoutePlanner, DrivesThroughGeneratedBuildings) {
   for (std::uint64_t seed = 1; seed <= 15; ++seed) {
-    PlanGeneratorConfig building;
+    BuildingConfig building;
     building.kind = seed % 2 == 0 ? BuildingKind::kFlat : BuildingKind::kOffice;
     building.area_m2 = 30.0 + 15.0 * static_cast<double>(seed);
     building.seed = seed;
     building.rotation_rad = seed % 3 == 0 ? 0.1 * static_cast<double>(seed) : 0.0;
-    const Grid<CellState> plan = toStates(generatePlan(building).plan);
+    const Grid<CellState> plan = toStates(generateFloorPlan(building));
     RoutePlannerConfig config = robot(seed % 4 == 0 ? 0.25 : 0.17);
     config.clearance_m = seed % 5 == 0 ? 0.0 : 0.3;
     for (const RouteKind kind : {RouteKind::kWalls, RouteKind::kSparse}) {
@@ -252,9 +252,9 @@ TEST(RoutePlanner, DrivesThroughGeneratedBuildings) {
 }
 
 TEST(RoutePlanner, IsFastEnoughForAHome) {
-  PlanGeneratorConfig building;
+  BuildingConfig building;
   building.area_m2 = 100.0;
-  const Grid<CellState> plan = toStates(generatePlan(building).plan);
+  const Grid<CellState> plan = toStates(generateFloorPlan(building));
   const auto start = std::chrono::steady_clock::now();
   planRoute(plan, RouteKind::kWalls);
   planRoute(plan, RouteKind::kSparse);

@@ -8,7 +8,7 @@
 #include "base/random.h"
 #include "files/map_server.h"
 #include "grid/for_each_cell.h"
-#include "simulation/building/plan_generator.h"
+#include "simulation/building/floor_plan_generator.h"
 #include "simulation/robot/simulated_robot.h"
 #include "support/ascii_world.h"
 #include "support/robot_room.h"
@@ -178,10 +178,10 @@ Position placeWithClearance(const Grid<CellState>& plan, double clearance_m) {
 
 TEST(SimulatedRobotWalls, IsNeverInAWall) {
   const Grid<CellState> flat = readMap(SFW_SOURCE_DIR "/config/demo/flat.yaml");
-  PlanGeneratorConfig turned;
+  BuildingConfig turned;
   turned.rotation_rad = 0.3;
   turned.resolution_m = 0.1;
-  const Grid<CellState> slanting = toStates(generatePlan(turned).plan);
+  const Grid<CellState> slanting = toStates(generateFloorPlan(turned));
   for (const Grid<CellState>& plan : {room(), flat, slanting}) {
     const RobotPose start{placeWithClearance(plan, 0.25), 0.0};
     for (std::int64_t seed = 1; seed <= 3; ++seed) {

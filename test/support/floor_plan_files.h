@@ -13,7 +13,7 @@
 namespace sfw::test {
 
 /// Gives each test a folder of its own to write plans into.
-class PlanFiles : public ::testing::Test {
+class FloorPlanFiles : public ::testing::Test {
  protected:
   void SetUp() override {
     const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
@@ -30,7 +30,7 @@ class PlanFiles : public ::testing::Test {
     return path(name);
   }
 
-  static std::string complaint(const std::string& file, const PlanOptions& options = {}) {
+  static std::string complaint(const std::string& file, const FloorPlanOptions& options = {}) {
     try {
       readFloorPlan(file, options);
     } catch (const InputError& error) {
@@ -40,7 +40,7 @@ class PlanFiles : public ::testing::Test {
   }
 
   /// What readFloorPlan complains of, with the file's name in front taken off.
-  static std::string complaintOf(const std::string& file, const PlanOptions& options = {}) {
+  static std::string complaintOf(const std::string& file, const FloorPlanOptions& options = {}) {
     const std::string text = complaint(file, options);
     EXPECT_EQ(text.rfind(file + ": ", 0), 0u) << text;
     return text.substr(std::min(text.size(), file.size() + 2));

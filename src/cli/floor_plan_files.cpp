@@ -1,4 +1,4 @@
-#include "cli/plan_files.h"
+#include "cli/floor_plan_files.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -8,7 +8,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> plansIn(const std::string& directory) {
+std::vector<std::string> floorPlansIn(const std::string& directory) {
   std::vector<std::string> inside;
   for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
     if (entry.path().extension() == ".json" || entry.path().extension() == ".yaml") {
@@ -21,11 +21,11 @@ std::vector<std::string> plansIn(const std::string& directory) {
 
 }  // namespace
 
-std::vector<std::string> planFiles(const std::vector<std::string>& names) {
+std::vector<std::string> floorPlanFiles(const std::vector<std::string>& names) {
   std::vector<std::string> files;
   for (const std::string& name : names) {
     if (fs::is_directory(name)) {
-      const std::vector<std::string> inside = plansIn(name);
+      const std::vector<std::string> inside = floorPlansIn(name);
       files.insert(files.end(), inside.begin(), inside.end());
     } else {
       files.push_back(name);

@@ -1,4 +1,4 @@
-#include "simulation/building/plan_generator.h"
+#include "simulation/building/floor_plan_generator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,19 +12,18 @@
 namespace sfw {
 namespace {
 
-/// A layout in its final place in the building's frame [cm].
+/// A layout in its final position in the building's frame [cm].
 struct Building {
   int outer_wall;
   std::vector<Rect> inside;
   std::vector<Rect> free;  // rooms and holes
-  std::vector<LayoutRoom> rooms;
 };
 
 /// One of the eight ways in which a rectilinear layout can be turned and mirrored.
 class Turn {
  public:
-  explicit Turn(PortableRandom& dice)
-      : transpose_(dice.chance(50)), mirror_x_(dice.chance(50)), mirror_y_(dice.chance(50)) {}
+  explicit Turn(PortableRandom& random)
+      : transpose_(random.chance(50)), mirror_x_(random.chance(50)), mirror_y_(random.chance(50)) {}
 
   Rect operator()(const Rect& rect) const {
     const Rect t = transpose_ ? rect.transposed() : rect;
@@ -36,9 +35,9 @@ class Turn {
   bool transpose_, mirror_x_, mirror_y_;
 };
 
-Building build(const PlanGeneratorConfig& config) {
-  PortableRandom dice(config.seed);
-  FloorLayout layout(dice, dice.between(10, 13));
+Building build(const BuildingConfig& config) {
+  PortableRandom random(config.seed);
+  FloorLayout layout(random, random.between(10, 13));
   const int area_m2 = static_cast<int>(std::lround(config.area_m2));
   if (config.kind == BuildingKind::kFlat) {
     drawFlat(area_m2, layout);
@@ -46,14 +45,13 @@ Building build(const PlanGeneratorConfig& config) {
     drawOffice(area_m2, layout);
   }
   layout.reachAll();
-  const Turn turn(dice);
-  Building building{dice.between(25, 35), {}, {}, layout.rooms()};
+  const Turn turn(random);
+  Building building{random.between(25, 35), {}, {}};
   for (const Rect& rect : layout.inside()) {
     building.inside.push_back(turn(rect));
   }
-  for (LayoutRoom& room : building.rooms) {
-    room.rect = turn(room.rect);
-    building.free.push_back(room.rect);
+  for (const LayoutRoom& room : layout.rooms()) {
+    building.free.push_back(turn(room.rect));
   }
   for (const Rect& hole : layout.holes()) {
     building.free.push_back(turn(hole));
@@ -94,7 +92,7 @@ Box boxAround(const Building& building, const Eigen::Rotation2Dd& map_from_build
   return {box.min().array() - kMargin, box.max().array() + kMargin};
 }
 
-FloorPlan rasterised(const Building& building, const PlanGeneratorConfig& config,
+FloorPlan rasterised(const Building& building, const BuildingConfig& config,
                      const Eigen::Rotation2Dd& map_from_building) {
   // Centres of cells may fall on edges of walls; which side they are on must not hang on rounding.
   const Position nudge(1e-6, 1e-6);
@@ -113,12 +111,13 @@ FloorPlan rasterised(const Building& building, const PlanGeneratorConfig& config
 
 BuildingKind parseBuildingKind(std::string_view name) {
   if (name != "flat" && name != "office") {
-    throw InputError("'" + std::string(name) + "' is no kind of building; there are flat, office");
+    throw InputError("'" + std::string(name) +
+                     "' is no kind of building; the kinds are flat, office");
   }
   return name == "flat" ? BuildingKind::kFlat : BuildingKind::kOffice;
 }
 
-std::vector<std::string> validate(const PlanGeneratorConfig& config) {
+std::vector<std::string> validate(const BuildingConfig& config) {
   Problems problems;
   problems.within("area", config.area_m2, 30.0, 400.0, "m2");
   problems.within("resolution", config.resolution_m, 0.01, 0.1, "m");
@@ -127,46 +126,9 @@ std::vector<std::string> validate(const PlanGeneratorConfig& config) {
   return problems.list();
 }
 
-std::string toText(RoomKind kind) {
-  switch (kind) {
-    case RoomKind::kLiving:
-      return "living room";
-    case RoomKind::kKitchen:
-      return "kitchen";
-    case RoomKind::kBedroom:
-      return "bedroom";
-    case RoomKind::kStudy:
-      return "study";
-    case RoomKind::kBath:
-      return "bathroom";
-    case RoomKind::kToilet:
-      return "toilet";
-    case RoomKind::kStorage:
-      return "storage";
-    case RoomKind::kCorridor:
-      return "corridor";
-    case RoomKind::kOffice:
-      return "office";
-    case RoomKind::kOpenPlan:
-      return "open-plan office";
-    case RoomKind::kMeeting:
-      return "meeting room";
-  }
-  return "room";
-}
-
-GeneratedPlan generatePlan(const PlanGeneratorConfig& config) {
+FloorPlan generateFloorPlan(const BuildingConfig& config) {
   throwIfAny(validate(config));
-  const Building building = build(config);
-  const Eigen::Rotation2Dd map_from_building(config.rotation_rad);
-  GeneratedPlan generated{rasterised(building, config, map_from_building), {}};
-  for (const LayoutRoom& room : building.rooms) {
-    const Rect& rect = room.rect;
-    const Position centre(rect.left + rect.right, rect.bottom + rect.top);
-    generated.rooms.push_back({room.kind, map_from_building * (centre / 200.0),
-                               Position(rect.width(), rect.depth()) / 100.0});
-  }
-  return generated;
+  return rasterised(build(config), config, Eigen::Rotation2Dd(config.rotation_rad));
 }
 
 }  // namespace sfw
