@@ -5,28 +5,29 @@
 
 namespace sfw {
 
-/// Random numbers that are the same on every machine up to the last bit of its mathematical
-/// library, unlike those of std::normal_distribution: SplitMix64 (Steele et al. 2014) and
-/// Box-Muller.
+/// Random numbers by SplitMix64 (Steele et al. 2014) and Box-Muller.
 ///
-/// One generator for each purpose and item, so that no value depends on how many were drawn before.
+/// They are the same on every machine up to the last bit of its mathematical library, unlike those
+/// of std::normal_distribution. Each purpose and item has its own generator, so no value depends on
+/// the number of values drawn before.
 class Random {
  public:
-  /// @param stream  tells purposes apart
-  /// @param item    tells values for one purpose apart
+  /// @param seed    of the whole simulation
+  /// @param stream  a number for each purpose
+  /// @param item    a number for each item of a purpose
   Random(std::int64_t seed, std::uint64_t stream, std::uint64_t item)
       : state_(scrambled(scrambled(static_cast<std::uint64_t>(seed) + kStep * stream) + item)) {}
 
-  /// In (0, 1].
+  /// A uniform variate in (0, 1].
   double uniform() {
     state_ += kStep;
     return static_cast<double>((scrambled(state_) >> 11) + 1) * 0x1p-53;
   }
 
-  /// In (low, high].
+  /// A uniform variate in (low, high].
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
 
-  /// Of mean 0 and standard deviation 1.
+  /// A normal variate of mean 0 and standard deviation 1.
   double normal() {
     constexpr double kTwoPi = 6.28318530717958647693;
     const double radius = std::sqrt(-2.0 * std::log(uniform()));

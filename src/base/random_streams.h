@@ -5,7 +5,7 @@
 
 namespace sfw {
 
-/// What random numbers are drawn for: nothing shares numbers with anything else.
+/// The purposes of random numbers. No two purposes share numbers.
 enum class Purpose : std::uint64_t {
   kLevel,
   kFurniture,
@@ -15,7 +15,7 @@ enum class Purpose : std::uint64_t {
   kErrorY,
   kDriftX,
   kDriftY,
-  kAccessPointPattern,  // from here on: one for each access point
+  kAccessPointPattern,  // this and the next four: one stream for each access point
   kShadowing,
   kFading,
   kChannel,

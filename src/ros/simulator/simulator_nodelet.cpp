@@ -180,7 +180,7 @@ RobotPose SimulatorNodelet::moveTo(std::int64_t step) {
     departure_ = 0;
     obeyCommands();
     robot_->step(step > 0 ? 1.0 / config_.tf_rate_hz : 0.0);
-    driven_m_ = robot_->drivenWay();
+    driven_m_ = robot_->drivenDistance();
     return robot_->pose();
   }
   if (!departure_ && mayDepart()) {

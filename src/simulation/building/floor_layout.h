@@ -14,7 +14,7 @@ struct Rect {
 
   int width() const { return right - left; }
   int depth() const { return top - bottom; }
-  /// Mirrored at the diagonal.
+  /// The rectangle mirrored at the diagonal.
   Rect transposed() const { return {bottom, left, top, right}; }
 };
 
@@ -51,7 +51,7 @@ class PortableRandom {
  public:
   explicit PortableRandom(std::uint64_t seed) : engine_(seed) {}
 
-  /// Both ends included; the lower one if they are in wrong order.
+  /// A number in low..high, both included; `low` if the two are in the wrong order.
   int between(int low, int high);
 
   bool chance(int percent) { return between(1, 100) <= percent; }
@@ -63,31 +63,32 @@ class PortableRandom {
 /// A side of a rectangle.
 enum class Side { kLeft, kBottom, kRight, kTop };
 
-/// What rooms a row may hold and how wide they are along it.
+/// A kind of room that a row may hold, with its widths along the row.
 struct RoomChoice {
   RoomKind kind;
   int least_width;    ///< [cm]
   int largest_width;  ///< [cm]
-  int weight;         ///< how often, relative to the others
-  int most;           ///< in one row
+  int weight;         ///< relative frequency among the choices
+  int most;           ///< greatest number in one row
 };
 
-/// A floor while it is being drawn: its outline, its rooms, and the holes in its walls.
+/// A floor while it is drawn: its outline, its rooms, and the holes in its walls.
 class FloorLayout {
  public:
-  FloorLayout(PortableRandom& random, int partition_cm) : random_(random), partition_(partition_cm) {}
+  FloorLayout(PortableRandom& random, int partition_cm)
+      : random_(random), partition_(partition_cm) {}
 
   /// Thickness of the walls between rooms of a row [cm].
   int partition() const { return partition_; }
 
-  /// Adds a part of what the outer walls enclose.
+  /// Adds a rectangle inside the outer walls.
   void addInside(const Rect& rect) { inside_.push_back(rect); }
 
   /// @return its number.
   std::size_t addRoom(RoomKind kind, const Rect& rect);
 
   /// Fills a rectangle with rooms side by side along an axis. Their kinds are drawn from `choices`
-  /// until the row is full, then all are stretched to fit exactly.
+  /// until the row is full; then all rooms are stretched to fit exactly.
   /// @return their numbers, in ascending order along the axis.
   std::vector<std::size_t> addRow(const Rect& rect, Axis axis,
                                   const std::vector<RoomChoice>& choices);
@@ -96,19 +97,19 @@ class FloorLayout {
   /// @return the slice's number.
   std::size_t cutOff(std::size_t room, Side side, int slice_cm, RoomKind kind);
 
-  /// Says that two stretches of corridor overlap.
+  /// Records that two stretches of corridor overlap.
   void join(std::size_t a, std::size_t b) { connections_.emplace_back(a, b); }
 
   /// Opens the wall between two rooms.
   /// @param width_cm  of the hole; narrowed down to a door's if the shared wall is too short
-  /// @return false, and nothing is done, if they share no wall that a door fits into.
+  /// @return false, without a change, if they share no wall that a door fits into.
   bool connect(std::size_t a, std::size_t b, int width_cm);
 
-  /// connect, as wide as a door.
+  /// Connects two rooms by a hole as wide as a door.
   bool addDoor(std::size_t a, std::size_t b) { return connect(a, b, random_.between(80, 90)); }
 
-  /// Gives a door to every room that cannot be reached from the first, where it shares a wall with
-  /// one that can.
+  /// Adds a door to every room that cannot be reached from the first room, where it shares a wall
+  /// with a reachable room.
   void reachAll();
 
   const std::vector<LayoutRoom>& rooms() const { return rooms_; }
@@ -130,7 +131,7 @@ class FloorLayout {
 /// Draws a flat into an empty layout. @param area_m2 of floor and interior walls
 void drawFlat(int area_m2, FloorLayout& layout);
 
-/// Draws an office floor likewise.
+/// Draws an office floor into an empty layout. @param area_m2 of floor and interior walls
 void drawOffice(int area_m2, FloorLayout& layout);
 
 }  // namespace sfw

@@ -19,12 +19,12 @@ std::vector<std::string> validate(const FloorPlanOptions& options);
 /// Reads a floor plan from a file of one of three kinds. The ending of its name decides the kind,
 /// or else its content:
 ///
-/// - HouseExpo JSON: `verts` is the outline of the free space [m], walls being slits and notches of
-///   it. Cells whose centre is inside (even-odd) are free; cells outside within 0.15 m of free ones
-///   or in gaps of up to 0.6 m between them are wall, so slits are wall all through; slits that
-///   pass between the centres of neighbouring cells still become one cell of wall. The grid's
-///   edges are whole multiples of the resolution, 0.5 m or more away from free space.
-/// - map_server YAML beside its PGM, trinary or scale, as readMap.
+/// - HouseExpo JSON: `verts` is the outline of the free space [m]; walls are its slits and notches.
+///   Cells whose centre is inside (even-odd) are free. Cells outside within 0.15 m of free cells,
+///   or in gaps of up to 0.6 m between them, are wall: so a slit is wall throughout. A slit between
+///   the centres of neighbouring cells becomes one cell of wall. The grid's edges are whole
+///   multiples of the resolution, at least 0.5 m away from free space.
+/// - map_server YAML beside its PGM, trinary or scale, as readMap reads it.
 /// - PNG with options.metres_per_pixel, lower left corner at the map frame's origin. Pixels darker
 ///   than middle grey are wall, transparent pixels are unknown. White that touches the image border
 ///   is outside the building.

@@ -8,10 +8,10 @@
 
 namespace sfw {
 
-/// Whether bytes start as a PNG does.
+/// Whether bytes begin with the signature of a PNG.
 bool isPng(std::string_view bytes);
 
-/// Reads a PNG as a plan, one pixel a cell. See readFloorPlan for what pixels mean.
+/// Reads a PNG as a floor plan, one pixel for each cell, as readFloorPlan describes.
 /// @throw InputError naming the file if it cannot be decoded, its scale is missing, it has more
 /// than `max_cells` pixels, or every white area touches the image border.
 Grid<CellState> readFloorPlanPng(const std::string& file, const FloorPlanOptions& options,

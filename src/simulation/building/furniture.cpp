@@ -23,7 +23,7 @@ std::vector<Cell> freeCells(const FloorPlan& plan) {
 
 }  // namespace
 
-std::vector<Furniture> placeFurniture(const FloorPlan& plan, double most_loss_db,
+std::vector<Furniture> placeFurniture(const FloorPlan& plan, double max_loss_db,
                                       double area_per_piece_m2, std::int64_t seed) {
   constexpr double kLeastRadius = 0.2, kMostRadius = 0.5;  // metres: a chair to a wardrobe
   const std::vector<Cell> free = freeCells(plan);
@@ -35,7 +35,7 @@ std::vector<Furniture> placeFurniture(const FloorPlan& plan, double most_loss_db
     const double at = (1.0 - random.uniform()) * static_cast<double>(free.size());
     pieces[i].centre = plan.geometry.centre(free[static_cast<std::size_t>(at)]);
     pieces[i].radius_m = random.uniform(kLeastRadius, kMostRadius);
-    pieces[i].loss_db = random.uniform(0.0, most_loss_db);
+    pieces[i].loss_db = random.uniform(0.0, max_loss_db);
   }
   return pieces;
 }

@@ -8,24 +8,24 @@
 
 namespace sfw {
 
-/// A wall that a line goes through.
+/// A wall that a line crosses.
 struct WallCrossing {
-  Position middle = Position::Zero();  ///< of the stretch inside the wall [m]
+  Position middle = Position::Zero();  ///< of the crossing, inside the wall [m]
   Material material = Material::kInteriorWall;
 };
 
-/// The walls on the straight line between two points, in order, each once however thick it is.
+/// The walls on the straight line between two points, in order. Each wall appears once, however
+/// thick it is.
 ///
-/// A wall is a run of wall cells among those that Ray walks through; two wall cells that meet in a
-/// corner leave no gap for a line through that very corner. These are the walls that
-/// forwardKVisibility counts. Its material is that of most of the cells crossed. A wall in which an
-/// end of the line lies does not stand between them and is left out; unknown cells and all outside
-/// the plan are no wall. The same walls in both directions. The ends must lie within the range of
-/// Ray. O(cells crossed).
+/// A wall is a run of wall cells among the cells that Ray crosses. Two wall cells that meet in a
+/// corner leave no gap for a line through that corner. forwardKVisibility counts the same walls.
+/// The material of a wall is that of most of its crossed cells. A wall that contains an end of the
+/// line does not count. Unknown cells and everything outside the plan are no wall. The walls are
+/// the same in both directions. The ends must lie within the range of Ray. O(cells crossed).
 std::vector<WallCrossing> wallsBetween(const FloorPlan& plan, const Position& from,
                                        const Position& to);
 
-/// How many walls wallsBetween finds.
+/// The number of walls that wallsBetween finds.
 int countWalls(const FloorPlan& plan, const Position& from, const Position& to);
 int countWalls(const Grid<CellState>& plan, const Position& from, const Position& to);
 

@@ -7,24 +7,25 @@
 
 namespace sfw {
 
-/// A random function of place, close to Gaussian, with mean 0 and standard deviation 1 over seeds.
+/// A random function of position, close to Gaussian, with mean 0 and standard deviation 1 over
+/// seeds.
 ///
-/// A sum of plane waves with random phases. Their wave numbers and directions fill the field's
-/// spectrum evenly rather than by chance, so that already one field, not only the mean of many,
-/// has the stated correlation. Immutable.
+/// The field is a sum of plane waves with random phases. Their wave numbers and directions fill the
+/// spectrum evenly rather than by chance. So one field alone has the stated correlation, not only
+/// the mean of many fields. Immutable.
 class RandomField {
  public:
-  /// How the correlation of two places falls with their distance d; 1/e at the length either way.
+  /// How the correlation of two positions falls with their distance d. Both are 1/e at the length.
   enum class Kind {
     kRough,  ///< exp(-d / length), the usual form for shadowing (Gudmundson 1991)
     kSmooth  ///< exp(-(d / length)^2), without detail far below the length
   };
 
   /// @param length_m  finite and positive
-  /// @param stream    tells fields of one seed apart
+  /// @param stream    a number for each field of one seed
   RandomField(Kind kind, double length_m, std::int64_t seed, std::uint64_t stream);
 
-  /// @param place  finite [m]. O(waves), 128 cosines.
+  /// The value at a position [m], which must be finite. O(waves), 128 cosines.
   double at(const Position& place) const;
 
  private:

@@ -11,13 +11,14 @@
 
 namespace sfw {
 
-/// From a cell's centre to a straight drive between two others [cells].
+/// The distance from a cell's centre to a straight drive between two other cells [cells].
 double distanceToDrive(Cell c, Cell from, Cell to);
 
-/// Where the centre of a round robot may be. All lengths are in cells, places are centres of cells.
+/// The cells where the centre of a round robot may be. Lengths are in cells, positions are centres
+/// of cells.
 ///
-/// Free means the same as to requireFree (simulation.h): no cell that is not free, and nothing
-/// outside the grid, has its centre within the robot's radius plus half a cell's diagonal.
+/// Free has the meaning of requireFree (route.h): no cell that is occupied, unknown or outside the
+/// grid has its centre within the robot's radius plus half a cell's diagonal.
 class ConfigurationSpace {
  public:
   /// @param radius_m positive
@@ -25,25 +26,25 @@ class ConfigurationSpace {
 
   const GridGeometry& geometry() const { return clearance_.geometry; }
 
-  /// Distance that the robot must keep from the centres of cells that are not free.
+  /// The distance that the robot must keep from the centres of cells that are not free.
   double reach() const { return reach_; }
 
-  /// Distance to the nearest centre of a cell that is not free.
+  /// The distance to the nearest centre of a cell that is not free.
   double clearance(Cell c) const { return clearance_[c]; }
 
-  /// Whether the robot can get to a cell; all cells where it can stand, until keepConnectedTo.
+  /// Whether the robot can reach a cell. Before keepConnectedTo: whether it can stand there.
   bool contains(Cell c) const { return geometry().contains(c) && within_[c] != 0; }
   const Mask& cells() const { return within_; }
 
-  /// Leaves only what the robot can reach from a cell that the space contains.
+  /// Removes the cells that the robot cannot reach from a cell of the space.
   void keepConnectedTo(Cell start);
 
-  /// The cell with the greatest clearance in the largest connected part, the first in row-major
-  /// order of several; nothing if the space is empty.
+  /// The cell with the greatest clearance in the largest connected part; of several, the first in
+  /// row-major order. Nothing if the space is empty.
   std::optional<Cell> middle() const;
 
-  /// Whether a straight drive between two places keeps a distance of `least` from everything.
-  /// Exact. O(cells crossed), more where it is a near thing.
+  /// Whether a straight drive between two cells keeps a distance of `least` from every obstacle.
+  /// Exact. O(cells crossed), more where obstacles are about that near.
   bool driveable(Cell from, Cell to, double least) const;
 
   /// Calls `visit(Cell, length)` for each cell that the robot can drive to from `c` in one step.
@@ -72,14 +73,15 @@ void ConfigurationSpace::forEachStep(Cell c, Visitor&& visit) const {
   }
 }
 
-/// Shortest drives over the cells of a space. Keeps memory for its searches; not thread-safe.
+/// Finds the shortest drives over the cells of a space. It keeps memory for its searches; not
+/// thread-safe.
 class PathFinder {
  public:
   /// @param comfort  clearance that drives keep where the detour is short [cells]
   PathFinder(const ConfigurationSpace& space, double comfort);
 
   /// The cells of the cheapest drive to the nearest cell for which `wanted` holds, both ends
-  /// included; empty if there is none. Stops as soon as that is found.
+  /// included; empty if there is none. The search stops at the first such cell.
   std::vector<Cell> toNearest(Cell from, const std::function<bool(Cell)>& wanted);
 
  private:
@@ -92,7 +94,7 @@ class PathFinder {
   std::vector<Cell> touched_;
 };
 
-/// Lengths of the shortest drives from a growing set of places.
+/// The lengths of the shortest drives from a growing set of cells.
 class DriveDistance {
  public:
   explicit DriveDistance(const ConfigurationSpace& space)
@@ -100,7 +102,7 @@ class DriveDistance {
 
   void add(const std::vector<Cell>& places);
 
-  /// [cells]; infinity where no drive from any place leads.
+  /// The length to a cell [cells]; infinity if no drive leads there.
   double operator[](Cell c) const { return length_[c]; }
 
  private:

@@ -7,14 +7,15 @@
 
 namespace sfw {
 
-/// Where a robot stands and looks, map frame.
+/// The position and heading of a robot in the map frame.
 struct RobotPose {
   Position position = Position::Zero();  ///< [m]
   double yaw_rad = 0.0;                  ///< counter-clockwise from x
 };
 
-/// Way points driven at constant speed, with a turn on the spot before each stretch that needs
-/// one. The robot starts at the first way point, looking at the second. Immutable.
+/// A drive along way points at constant speed, with turns on the spot between straight stretches.
+///
+/// The robot starts at the first way point and faces the second. Immutable.
 class Route {
  public:
   /// @param speed_m_s,yaw_rate_rad_s  finite and positive
@@ -22,13 +23,13 @@ class Route {
   /// any other parameter.
   Route(const std::vector<Position>& way_points, double speed_m_s, double yaw_rate_rad_s);
 
-  /// From the first way point to the last [s].
+  /// The time from the first way point to the last [s].
   double duration() const;
 
-  /// Time outside [0, duration()] gives the nearer end of the route. O(log way points).
+  /// The pose at a time. A time outside [0, duration()] gives the nearer end. O(log way points).
   RobotPose poseAt(double time_s) const;
 
-  /// Way driven until then [m]. Limits and cost as of poseAt.
+  /// The distance driven until a time [m]. Limits and cost as of poseAt.
   double drivenAt(double time_s) const;
 
  private:
@@ -50,10 +51,12 @@ class Route {
   std::vector<Leg> legs_;
 };
 
-/// Checks that a robot can drive a route: every cell whose centre comes within `radius_m` plus half
-/// a cell's diagonal of it, thus every cell that the robot could touch, must be free.
-/// @throw InputError naming every way point and, between good ones, every stretch that is not free,
-/// and a cell that is in the way.
+/// Checks that a robot can drive a route without touching an obstacle.
+///
+/// Every cell must be free whose centre lies within `radius_m` plus half a cell's diagonal of the
+/// route: these are the cells that the robot could touch.
+/// @throw InputError naming every way point that is not free, every stretch between free way points
+/// that is not free, and a cell in the way.
 void requireFree(const Grid<CellState>& plan, const std::vector<Position>& way_points,
                  double radius_m);
 

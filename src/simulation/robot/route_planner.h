@@ -22,7 +22,7 @@ std::optional<RouteKind> parseRouteKind(std::string_view name);
 /// The robot that drives a planned route, and its start.
 struct RoutePlannerConfig {
   double robot_radius_m = 0.2;  ///< [m]
-  double clearance_m = 0.3;     ///< between robot and walls, where there is room for it [m]
+  double clearance_m = 0.3;     ///< between robot and walls, where the room is wide enough [m]
   std::optional<Position> start_in_map;  ///< [m], map frame; by default the middle of the widest
                                          ///< place of the largest region that the robot can reach
 };
@@ -30,21 +30,21 @@ struct RoutePlannerConfig {
 /// Every problem of a configuration, one sentence each that starts with the setting's name.
 std::vector<std::string> validate(const RoutePlannerConfig& config);
 
-/// Plans a drive through everything that a round robot can reach from its start.
+/// Plans a drive through the whole space that a round robot can reach from its start.
 ///
-/// `kWalls` follows the walls of each room, and of larger things that stand in it, at the
-/// clearance; crosses rooms lengthwise, in lines at most 1.8 m apart; and visits what is still
-/// farther than 0.9 m (as the robot drives) from all that. `kSparse` has a way point in the middle
-/// of each room, and more until no place is farther than about 3 m from one. Rooms are what doors
-/// divide that the robot with its clearance does not fit through; one is finished before the next,
-/// and the nearest is next. Greedy: the drive is not the shortest one.
+/// `kWalls` follows the walls of each room and of larger obstacles in it at the clearance. It
+/// crosses rooms lengthwise, in lines at most 1.8 m apart. Then it visits places that are still
+/// farther than 0.9 m of driving from these lines. `kSparse` has a way point in the middle of each
+/// room, and more until no place is farther than about 3 m from one. Doors that the robot with its
+/// clearance does not fit through divide rooms. The robot finishes one room before the next, and
+/// the nearest room comes next. The planner is greedy: the drive is not the shortest one.
 ///
 /// @return way points [m] from the start on, at least two, centres of cells; they pass requireFree
 /// with the robot's radius.
 /// @throw InputError naming every setting out of range, a start that is not free for the robot, or
 /// that the robot fits nowhere or cannot move.
-/// Deterministic. O(cells log cells) for each stroke of the drive, but mostly far less, as searches
-/// end at the nearest one.
+/// Deterministic. O(cells log cells) for each stroke of the drive, and mostly far less: searches
+/// end at the nearest stroke.
 std::vector<Position> planRoute(const Grid<CellState>& plan, RouteKind kind,
                                 const RoutePlannerConfig& config = {});
 

@@ -10,27 +10,27 @@
 
 namespace sfw {
 
-/// What a robot is told to do, in its own frame.
+/// A command to a robot, in its own frame.
 struct DriveCommand {
-  double speed_m_s = 0.0;       ///< forwards; negative: backwards
+  double speed_m_s = 0.0;       ///< forwards; backwards if negative
   double yaw_rate_rad_s = 0.0;  ///< counter-clockwise
 };
 
 /// A round robot on two driven wheels, among walls that stop it.
 ///
-/// It drives arcs, in chords of at most 10 ms each. Before each chord the way along it is measured
-/// exactly against the squares of all cells that are not free, the surroundings of the plan among
-/// them, so no speed takes the robot into or through a wall. What it runs into stops it on the
-/// spot, and its speed is gone: it does not slide along walls. It can still turn, being round, and
-/// drive away. Not thread-safe.
+/// The robot drives arcs, in chords of at most 10 ms each. Each chord is checked exactly against
+/// the squares of all cells that are not free, the surroundings of the plan included. So no speed
+/// takes the robot into or through a wall. A wall stops the robot on the spot and sets its speed to
+/// zero: the robot does not slide along walls. It is round, so it can still turn and drive away.
+/// Not thread-safe.
 class SimulatedRobot {
  public:
   struct Config {
     double radius_m = 0.15;                ///< 0.01..10 [m]
-    double max_speed_m_s = 0.5;            ///< either way, 0.01..10 [m/s]
-    double max_yaw_rate_rad_s = 2.0;       ///< either way, 0.01..100 [rad/s]
+    double max_speed_m_s = 0.5;            ///< forwards and backwards, 0.01..10 [m/s]
+    double max_yaw_rate_rad_s = 2.0;       ///< both ways, 0.01..100 [rad/s]
     double acceleration_m_s2 = 1.0;        ///< speeding up and braking, 0.01..1000 [m/s2]
-    double yaw_acceleration_rad_s2 = 5.0;  ///< likewise, 0.01..10000 [rad/s2]
+    double yaw_acceleration_rad_s2 = 5.0;  ///< speeding up and braking, 0.01..10000 [rad/s2]
     double command_timeout_s =
         0.5;  ///< brakes when the last command is older, 0..3600 [s]; 0: never
   };
@@ -40,24 +40,25 @@ class SimulatedRobot {
   /// not fit there.
   SimulatedRobot(const Grid<CellState>& plan, const RobotPose& start, const Config& config);
 
-  /// Holds until the next one or the time-out; more than the robot can do becomes what it can.
-  /// @return false, and nothing changes, if a number is not finite.
+  /// Sets the command until the next command or the time-out. Speeds are clamped to the robot's
+  /// own.
+  /// @return false, without a change, if a number is not finite.
   bool command(const DriveCommand& command);
 
-  /// Drives on for a time, finite and not negative [s].
+  /// Continues the drive for a time [s], which must be finite and not negative.
   /// O(time / 10 ms x cells that the robot covers).
   void step(double duration_s);
 
   const RobotPose& pose() const { return pose_; }
-  double drivenWay() const { return driven_m_; }  ///< forwards and backwards [m]
-  double speed() const { return speed_m_s_; }     ///< [m/s]
+  double drivenDistance() const { return driven_m_; }  ///< forwards and backwards [m]
+  double speed() const { return speed_m_s_; }          ///< [m/s]
 
-  /// The nearest obstacle that keeps the robot from going forwards, if there is one within 0.1 mm:
-  /// what its bumper feels, anywhere on its front half.
+  /// The nearest point of an obstacle within 0.1 mm that keeps the robot from driving forwards, as
+  /// a bumper on its front half would detect it; nothing if there is none.
   std::optional<Position> contact() const;
 
  private:
-  /// Straight on until an obstacle.
+  /// A straight drive that an obstacle may end.
   struct Way {
     double length_m;
     std::optional<Position> obstacle;  // the point touched at its end

@@ -22,7 +22,7 @@ TEST(SimulatedRobot, DrivesStraightAtItsSpeed) {
   EXPECT_NEAR((robot.pose().position - Position(1 + 0.5 * std::cos(kPi / 6), 1.25)).norm(), 0.0,
               1e-9);
   EXPECT_NEAR(robot.pose().yaw_rad, kPi / 6, 1e-12);
-  EXPECT_NEAR(robot.drivenWay(), 0.5, 1e-9);
+  EXPECT_NEAR(robot.drivenDistance(), 0.5, 1e-9);
   EXPECT_FALSE(robot.contact());
 }
 
@@ -30,7 +30,7 @@ TEST(SimulatedRobot, TurnsOnTheSpot) {
   const SimulatedRobot robot = driven(room(), {{1, 1}, 0.0}, quick(), {0.0, -kPi / 2}, 1.0);
   EXPECT_EQ(robot.pose().position, Position(1, 1));
   EXPECT_NEAR(robot.pose().yaw_rad, -kPi / 2, 1e-9);
-  EXPECT_EQ(robot.drivenWay(), 0.0);
+  EXPECT_EQ(robot.drivenDistance(), 0.0);
 }
 
 TEST(SimulatedRobot, DrivesACircleBackToItsStart) {
@@ -64,11 +64,11 @@ TEST(SimulatedRobot, SpeedsUpAndBrakes) {
   ASSERT_TRUE(robot.command({1.0, 0.0}));
   robot.step(1.0);
   EXPECT_NEAR(robot.speed(), 0.5, 1e-9);
-  EXPECT_NEAR(robot.drivenWay(), 0.25, 0.01);  // a t^2 / 2
+  EXPECT_NEAR(robot.drivenDistance(), 0.25, 0.01);  // a t^2 / 2
   ASSERT_TRUE(robot.command({}));
   robot.step(2.0);
   EXPECT_EQ(robot.speed(), 0.0);
-  EXPECT_NEAR(robot.drivenWay(), 0.5, 0.01);
+  EXPECT_NEAR(robot.drivenDistance(), 0.5, 0.01);
 }
 
 TEST(SimulatedRobot, KeepsToItsLimits) {
@@ -89,7 +89,7 @@ TEST(SimulatedRobot, StopsWhenNoCommandsCome) {
   robot.step(0.4);
   ASSERT_TRUE(robot.command({0.4, 0.0}));
   robot.step(3.0);
-  EXPECT_NEAR(robot.drivenWay(), 0.9 * 0.4, 1e-9);
+  EXPECT_NEAR(robot.drivenDistance(), 0.9 * 0.4, 1e-9);
   EXPECT_EQ(robot.speed(), 0.0);
 }
 
@@ -99,7 +99,7 @@ TEST(SimulatedRobot, IgnoresCommandsThatAreNotFinite) {
   EXPECT_FALSE(robot.command({std::numeric_limits<double>::quiet_NaN(), 0.0}));
   EXPECT_FALSE(robot.command({0.0, std::numeric_limits<double>::infinity()}));
   robot.step(1.0);
-  EXPECT_NEAR(robot.drivenWay(), 0.4, 1e-9);
+  EXPECT_NEAR(robot.drivenDistance(), 0.4, 1e-9);
 }
 
 // ---- Bad input ----

@@ -160,7 +160,7 @@ void expectNoOverlap(const Grid<CellState>& plan, const RobotPose& start, std::i
     contacts += robot.contact() ? 1 : 0;
   }
   EXPECT_GT(contacts, 10);
-  EXPECT_GT(robot.drivenWay(), 20.0);
+  EXPECT_GT(robot.drivenDistance(), 20.0);
 }
 
 /// Some place with this clearance, anywhere.
