@@ -14,9 +14,9 @@
 namespace sfw {
 namespace {
 
-constexpr std::uint64_t kPlacementStream = 0x706c616365;  // told apart from the radio's streams
+constexpr std::uint64_t kPlacementStream = 0x706c616365;  // none of random_streams.h
 
-/// Centres of the free cells that lie a distance or more from all that is not free.
+/// The centres of the free cells that are at least a distance from every other kind of cell.
 std::vector<Position> roomyPlaces(const FloorPlan& plan, double distance_m) {
   const GridGeometry& geometry = plan.geometry;
   Mask obstacles(geometry, 0);
@@ -64,7 +64,9 @@ std::vector<AccessPoint> placeAccessPoints(const FloorPlan& plan, std::int64_t c
   constexpr int kCandidates = 20;     // for each: enough to spread, too few to line the walls
   const std::vector<Position> places = roomyPlaces(plan, kFromWalls);
   if (places.empty()) {
-    throw InputError("the plan has no free place 0.3 m from its walls for an access point");
+    throw InputError(
+        "the plan has no free site for an access point 0.3 m from walls; use a larger plan or give "
+        "the positions of access points");
   }
   std::vector<AccessPoint> access_points;
   for (std::int64_t i = 0; i < count; ++i) {

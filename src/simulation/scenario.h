@@ -13,7 +13,7 @@
 
 namespace sfw {
 
-/// A drive through a known building, still to be simulated.
+/// A drive through a known building, before its simulation.
 struct Scenario {
   FloorPlan plan;
   std::vector<AccessPoint> access_points;
@@ -21,20 +21,20 @@ struct Scenario {
   RecordingConfig recording;
 };
 
-/// What to make of a plan.
+/// The settings of a drive through a floor plan.
 struct ScenarioConfig {
   NoiseLevel noise = noiseLevel("realistic");
   std::string path = "walls";      ///< "walls", "sparse" or a CSV file of way points
   double robot_radius_m = 0.15;    ///< [m]
-  std::int64_t seed = 1;           ///< decides all that is random
-  std::int64_t access_points = 1;  ///< how many to place, if none are given
+  std::int64_t seed = 1;           ///< of all random numbers
+  std::int64_t access_points = 1;  ///< number to choose if none are given
 };
 
-/// A locally administered address, 02:00:00:00:00:01 for 1.
+/// A locally administered BSSID: 02:00:00:00:00:01 for 1.
 Bssid numberedBssid(std::size_t number);
 
-/// Places for access points: free, 0.3 m or more from walls, and far from each other.
-/// @throw InputError if the plan has no such place.
+/// Chooses sites for access points: free, at least 0.3 m from walls, and far from each other.
+/// @throw InputError if the plan has no such site.
 /// Deterministic; O(cells).
 std::vector<AccessPoint> placeAccessPoints(const FloorPlan& plan, std::int64_t count,
                                            std::int64_t seed);
@@ -45,12 +45,12 @@ std::vector<AccessPoint> placeAccessPoints(const FloorPlan& plan, std::int64_t c
 std::vector<Position> wayPoints(const std::string& route, const Grid<CellState>& plan,
                                 const RoutePlannerConfig& config);
 
-/// Chooses access points (unless `access_points` names them), path and noise.
+/// Chooses access points (unless `access_points` has some), plans the route and sets the noise.
 /// @throw InputError if the path or an access point does not fit the plan.
 Scenario makeScenario(const FloorPlan& plan, const std::vector<AccessPoint>& access_points,
                       const ScenarioConfig& config);
 
-/// Drives it.
+/// Simulates the drive of a scenario.
 SimulatedRecording simulate(const Scenario& scenario);
 
 }  // namespace sfw

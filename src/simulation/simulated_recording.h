@@ -12,13 +12,14 @@
 
 namespace sfw {
 
-/// When a simulated radio hears what.
+/// The times at which a simulated radio receives access points.
 enum class Listening : std::uint8_t {
-  kLink,  ///< every access point at each sample, as from one associated radio for each
-  kScans  ///< all channels in turn: each access point once a scan, at a time of its own
+  kLink,  ///< every access point at each sample, as with one associated radio for each of them
+  kScans  ///< each access point once in a scan, at its own time, as with a radio that changes
+          ///< channels
 };
 
-/// How a recording is made. All that is random follows from `radio.seed`.
+/// The settings of a recording. All random numbers follow from `radio.seed`.
 struct RecordingConfig {
   double speed_m_s = 0.5;       ///< [m/s]
   double yaw_rate_rad_s = 2.0;  ///< of turns on the spot [rad/s]
@@ -27,33 +28,33 @@ struct RecordingConfig {
   double scan_period_s = 2.0;  ///< of a full scan, measured 1 to 4 [s]
   double start_s = 1000.0;     ///< stamp at the start of the drive [s]; 0 is no time to ROS
 
-  /// Error of the reported positions: standard deviation on each axis, a smooth function of the
-  /// true position, as from maps that register slightly wrong, so a place has the same one on
-  /// every visit (.03 to .18) [m].
+  /// Standard deviation of the error of reported positions, on each axis (.03 to .18) [m]. The
+  /// error is a smooth function of the true position, as with a slightly wrong map registration. So
+  /// a place has the same error on every visit.
   double registration_error_m = 0.0;
-  double registration_distance_m = 3.0;  ///< its correlation falls to 1/e here [m]
+  double registration_distance_m = 3.0;  ///< at which its correlation is 1/e [m]
 
-  /// Error that grows with the way driven, as of odometry alone: its root mean square as a share
-  /// of that way. It changes its direction slowly, over some ten metres.
+  /// Root mean square of the odometry's error, as a share of the distance driven. Its direction
+  /// changes slowly, over some ten metres.
   double drift = 0.0;
 
   RadioModel::Config radio;
 };
 
-/// Every problem of a recording's settings, one sentence each that starts with the setting's name;
-/// the radio's names follow `radio/`.
+/// Every problem of a recording's settings, one sentence each that starts with the setting's name.
+/// Names of the radio's settings follow `radio/`.
 std::vector<std::string> validate(const RecordingConfig& config);
 
-/// What a robot believes wrongly about its position, for each of the two reasons. Immutable.
+/// The errors of a robot's reported position: registration and drift. Immutable.
 class PositionError {
  public:
   /// Takes the errors and the seed from a valid configuration.
   explicit PositionError(const RecordingConfig& config);
 
-  /// That of the map's registration at a true position [m], map frame.
+  /// The error of the map's registration at a true position [m], map frame.
   Position registration(const Position& position) const;
 
-  /// That of odometry after a way [m], map frame.
+  /// The error of odometry after a distance driven [m], map frame.
   Position drift(double driven_m) const;
 
  private:
@@ -61,11 +62,11 @@ class PositionError {
   double drift_;
   RandomField registration_x_;
   RandomField registration_y_;
-  RandomField drift_x_;  // of the way driven, on the x axis
+  RandomField drift_x_;  // a function of the distance driven, on the x axis
   RandomField drift_y_;
 };
 
-/// Where the robot is and where it believes to be. Immutable.
+/// The true and the reported poses of a robot on a route. Immutable.
 class SimulatedDrive {
  public:
   /// @throw InputError naming each setting that is out of range, or if there are no two different
@@ -74,10 +75,10 @@ class SimulatedDrive {
 
   double duration() const { return route_.duration(); }  ///< [s]
 
-  /// @param time_s  since the start; outside [0, duration()] the nearer end
+  /// The pose at a time since the start. A time outside [0, duration()] gives the nearer end.
   RobotPose truePose(double time_s) const { return route_.poseAt(time_s); }
 
-  /// The true pose with the position's errors; the heading is exact.
+  /// The true pose with the errors of position. The heading is exact.
   RobotPose reportedPose(double time_s) const;
 
  private:
@@ -87,19 +88,19 @@ class SimulatedDrive {
 
 /// The truth about one reading.
 struct ReadingTruth {
-  RobotPose pose;                ///< where it was really made, map frame
+  RobotPose pose;                ///< true pose of the robot, map frame
   std::size_t access_point = 0;  ///< index among the transmitters
-  int walls = 0;                 ///< between the two, as countWalls has it
+  int walls = 0;                 ///< between the two, as countWalls finds them
 };
 
-/// What a simulated robot brings home.
+/// The readings of a simulated drive and their truth.
 struct SimulatedRecording {
   std::vector<Reading> readings;    ///< at reported positions; by stamp, then by access point
   std::vector<ReadingTruth> truth;  ///< of each reading
 };
 
-/// Drives a robot through a building and records what it hears. The whole way is listened to; the
-/// way is not checked for obstacles (requireFree does).
+/// Drives a robot through a building and records the signals that it receives on the whole route.
+/// The route is not checked for obstacles; requireFree does that.
 /// @throw InputError naming each setting that is out of range and each access point outside the
 /// plan, or if there are no two different way points.
 /// O(samples x (cells crossed + pieces of furniture)).

@@ -16,27 +16,27 @@ namespace sfw {
 
 /// Every setting of the simulated robot, with its default. config/simulator.yaml explains each one.
 struct SimulatorConfig {
-  BuildingSource building;  ///< its seed is that of the signals
+  BuildingSource building;  ///< generated from the seed of `signals`
 
   std::string route = "walls";  ///< "walls", "sparse" or a CSV file of way points
   std::vector<AccessPoint> access_points;
-  std::int64_t access_point_count = 2;  ///< to be placed if none is given
+  std::int64_t access_point_count = 2;  ///< number to choose if none is given
 
   std::string drive = "route";  ///< or "cmd_vel"
-  /// Its speed and yaw rate along a route; the most that it reaches by commands.
+  /// Its speed and yaw rate are those of a route, and the limits of commands.
   SimulatedRobot::Config robot;
 
   double scan_rate_hz = 5.0;    ///< [Hz], simulated time
   double tf_rate_hz = 20.0;     ///< [Hz], simulated time
-  bool publish_clock = false;   ///< on /clock; otherwise the drive keeps to the machine's clock
-  double time_scale = 1.0;      ///< simulated seconds in a real one
+  bool publish_clock = false;   ///< on /clock; otherwise stamps are the machine's time
+  double time_scale = 1.0;      ///< simulated seconds in a real second
   double start_delay_s = 10.0;  ///< the longest wait for a subscriber to the scans [s], real time
 
   std::string map_frame = "map";
   std::string odom_frame = "odom";
   std::string base_frame = "base_link";
 
-  /// Where the odometry's frame lies in the map's at the start.
+  /// The pose of the odometry's frame in the map frame at the start.
   struct Odom {
     double x_m = 0.0;      ///< [m]
     double y_m = 0.0;      ///< [m]
@@ -44,7 +44,7 @@ struct SimulatorConfig {
   } odom;
 
   std::string noise;  ///< name of a NoiseLevel; empty: the defaults below
-  /// Radio, errors of the position and seed of all that is random; its drive is not used.
+  /// Radio, errors of the position and the seed of all random numbers. Its speed is not used.
   RecordingConfig signals;
 };
 
@@ -101,12 +101,12 @@ void forEachSimulatorSetting(AnyConfig& config, Visitor&& visit) {
   visit("radio/missed", config.signals.radio.missed_share);
 }
 
-/// Reads settings over the noise level's, and those over the defaults, and the table
-/// `access_points` if there is one.
+/// Reads settings and the table `access_points` from a tree of parameters. A setting that is absent
+/// has the value of the noise level, or else the default.
 /// @throw InputError naming every setting that is missing, of the wrong type or out of range.
 SimulatorConfig simulatorConfigFromYaml(const YAML::Node& tree);
 
-/// The paths in a tree of parameters that name no setting: probably misspelt.
+/// The paths in a tree of parameters that are no settings, probably misspelt.
 std::vector<std::string> unknownSimulatorSettings(const YAML::Node& tree);
 
 }  // namespace sfw

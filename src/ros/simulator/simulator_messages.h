@@ -16,18 +16,21 @@
 
 namespace sfw {
 
+/// A message with a truth value.
 std_msgs::Bool boolMessage(bool value);
 
-/// Where the robot believes to be: map -> odom, which registration shifts a little, and odom ->
-/// base, which drifts. The heading is exact.
-/// @param driven_m  way driven so far
+/// The transforms of the reported pose: map -> odom with the registration's error, and odom -> base
+/// with the drift. The heading is exact.
+/// @param pose      true pose, map frame
+/// @param driven_m  distance driven so far
 std::vector<geometry_msgs::TransformStamped> transformMessages(const SimulatorConfig& config,
                                                                const PositionError& error,
                                                                const ros::Time& stamp,
                                                                const RobotPose& pose,
                                                                double driven_m);
 
-/// What the radio hears where the robot really is.
+/// A scan at the robot's true pose.
+/// @param pose    true pose, map frame
 /// @param sample  number of the scan
 structure_from_wifi::WifiScan scanMessage(const RadioModel& radio, const RobotPose& pose,
                                           std::uint64_t sample);

@@ -20,14 +20,14 @@
 namespace sfw {
 namespace {
 
-/// Stamp at which a clock of our own starts: not 0, which ROS takes for no time at all.
+/// Stamp at which the simulated clock starts [s]. It is not 0, which means no time in ROS.
 constexpr double kClockStart = 1000.0;
 
-/// A robot stands still for this long once it has a listener, real time: connections for tf and
-/// clock are still being made.
+/// Wait after the first subscriber, in real time: its connections for tf and clock take as long.
 constexpr std::chrono::milliseconds kSettle{1000};
 
-/// Share of a scan by which one may come early, so that rounding does not delay it by a step.
+/// Share of a scan's period by which a scan may be early, so that rounding does not delay it by a
+/// step.
 constexpr double kRounding = 1e-9;
 
 }  // namespace
@@ -68,7 +68,8 @@ void SimulatorNodelet::loadParameters() {
   parameters.getParam(parameters.getNamespace(), tree);
   const YAML::Node settings = toYaml(tree);
   for (const std::string& name : unknownSimulatorSettings(settings)) {
-    NODELET_WARN_STREAM(name << " is not a setting of the simulation");
+    NODELET_WARN_STREAM("parameter " << name
+                                     << " is not a setting of the simulation and is ignored");
   }
   config_ = simulatorConfigFromYaml(settings);
   if (const auto warning = oldNoiseLevelWarning(config_.noise)) {
@@ -93,7 +94,7 @@ void SimulatorNodelet::makeWorld() {
 void SimulatorNodelet::advertise() {
   ros::NodeHandle& node = getNodeHandle();
   if (config_.publish_clock != ros::Time::isSimTime()) {
-    NODELET_WARN("publish_clock and /use_sim_time should be both true or both false");
+    NODELET_WARN("publish_clock and /use_sim_time differ: set both to true or both to false");
   }
   start_ = config_.publish_clock ? ros::Time(kClockStart) : ros::Time(ros::WallTime::now().toSec());
   constexpr std::uint32_t kQueue = 100;
@@ -117,7 +118,8 @@ void SimulatorNodelet::advertise() {
 void SimulatorNodelet::receiveCommand(const geometry_msgs::Twist& twist) {
   if (!std::isfinite(twist.linear.x) || !std::isfinite(twist.angular.z)) {
     constexpr double kWarningPeriod = 10.0;  // [s]
-    NODELET_WARN_THROTTLE(kWarningPeriod, "cmd_vel: linear.x and angular.z must be finite numbers");
+    NODELET_WARN_THROTTLE(kWarningPeriod,
+                          "a cmd_vel message is ignored: linear.x and angular.z must be finite");
     return;
   }
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -135,7 +137,8 @@ void SimulatorNodelet::run() {
       sendStep(step);
       due += period;
       if (config_.publish_clock) {
-        // Our own clock may lag: after a pause of the machine a burst would overrun the listeners.
+        // The simulated clock may lag: a burst after a pause of the machine would overrun
+        // subscribers.
         due = std::max(due, WallClock::now());
       }
     }
@@ -185,7 +188,7 @@ RobotPose SimulatorNodelet::moveTo(std::int64_t step) {
   }
   if (!departure_ && mayDepart()) {
     departure_ = step;
-    NODELET_INFO("The drive takes %.0f s of simulated time", route_->duration());
+    NODELET_INFO("The drive starts and takes %.0f s of simulated time", route_->duration());
   }
   const double driven_s = drivenTime(step);
   driven_m_ = route_->drivenAt(driven_s);
@@ -207,7 +210,7 @@ double SimulatorNodelet::drivenTime(std::int64_t step) const {
 void SimulatorNodelet::finish() {
   finished_ = true;
   finished_publisher_.publish(boolMessage(true));
-  NODELET_INFO("The drive is over: %llu scans", static_cast<unsigned long long>(scans_));
+  NODELET_INFO("The drive is finished: %llu scans sent", static_cast<unsigned long long>(scans_));
 }
 
 void SimulatorNodelet::sendScan(const ros::Time& stamp, const RobotPose& pose) {

@@ -21,19 +21,19 @@
 
 namespace sfw {
 
-/// A robot that drives through a floor plan and hears its access points.
+/// Simulates a robot that drives through a floor plan and receives its access points.
 ///
-/// Publishes tf (map -> odom -> base), `wifi_scan`, `truth` (the plan, latched), `contact` and
-/// `finished` (std_msgs/Bool, latched, at each change) and, with `publish_clock`, /clock. Each step
-/// sends the clock, then transforms, then the scan if one is due: a scan bears the stamp of
-/// transforms that were sent before it, and the next ones follow a step later.
+/// The nodelet publishes tf (map -> odom -> base), `wifi_scan`, `truth` (the plan, latched),
+/// `contact` and `finished` (std_msgs/Bool, latched, at each change) and, with `publish_clock`,
+/// /clock. Each step sends the clock, then transforms, then the scan if one is due. So a scan has
+/// the stamp of transforms that were sent before it; the next transforms follow a step later.
 ///
-/// Along a route the drive starts when somebody subscribes to the scans; scans end with it, clock
-/// and tf go on. With `drive` cmd_vel the robot obeys `cmd_vel` (geometry_msgs/Twist: linear.x and
-/// angular.z) from the start, walls stop it, and nothing ever finishes.
+/// A drive along a route starts when a node subscribes to the scans. Scans end with the drive;
+/// clock and tf continue. With `drive` cmd_vel the robot obeys `cmd_vel` (geometry_msgs/Twist:
+/// linear.x and angular.z) from the start. Walls stop it, and the drive has no end.
 ///
-/// One thread of its own does all this by the machine's clock, so a simulated time that stands
-/// still holds nothing up. With parameters that cannot be used it says so and advertises nothing.
+/// A thread of the nodelet runs the steps by the machine's clock, so a stopped simulated time does
+/// not stop it. If a parameter cannot be used, the nodelet logs an error and advertises nothing.
 class SimulatorNodelet : public nodelet::Nodelet {
  public:
   ~SimulatorNodelet() override;
@@ -52,23 +52,23 @@ class SimulatorNodelet : public nodelet::Nodelet {
 
   void run();
 
-  /// Waits for a point in time; false as soon as the nodelet is to stop.
+  /// Waits for a point in time. Returns false as soon as the nodelet has to stop.
   bool waitUntil(WallClock::time_point time);
 
-  /// Sends all that is due at a step; step n lies n / tf_rate after the start.
+  /// Sends the messages of a step. Step n is n / tf_rate after the start.
   void sendStep(std::int64_t step);
 
-  /// Moves the robot on to a step of its drive and says where it is.
+  /// Moves the robot to a step of its drive and returns its pose.
   RobotPose moveTo(std::int64_t step);
   void obeyCommands();
 
   void sendScan(const ros::Time& stamp, const RobotPose& pose);
   void finish();
 
-  /// Since the drive started [s].
+  /// The time since the start of the drive [s].
   double drivenTime(std::int64_t step) const;
 
-  /// True once the drive may start: a listener has settled, or none came in time.
+  /// Whether the drive may start: a subscriber is connected, or the wait for one is over.
   bool mayDepart();
 
   SimulatorConfig config_;

@@ -12,12 +12,12 @@ namespace sfw {
 struct SimulatorWorld {
   FloorPlan plan;
   std::vector<AccessPoint> access_points;
-  std::vector<Position> way_points;  ///< [m], map frame; a robot driven by cmd_vel starts at the
-                                     ///< first, looking at the second, and leaves out the others
+  std::vector<Position> way_points;  ///< [m], map frame; by cmd_vel the robot starts at the first
+                                     ///< and faces the second, and the others are not used
 };
 
-/// Reads or makes the building; reads or plans the route; places access points unless they are
-/// given.
+/// Reads or generates the building, reads or plans the route, and chooses sites for access points
+/// unless they are given.
 /// @param config  valid
 /// @throw InputError naming the file or the setting, if there is no such file or building, or the
 /// route or an access point does not fit it.

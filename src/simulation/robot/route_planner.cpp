@@ -186,7 +186,7 @@ Cell chooseStart(const ConfigurationSpace& space, const RoutePlannerConfig& conf
     const std::optional<Cell> start = space.middle();
     if (!start) {
       std::snprintf(text, sizeof text,
-                    "the plan has no free place for a robot of robot_radius %.2f m",
+                    "the plan has no free space for a robot of %.2f m radius; lower robot_radius",
                     config.robot_radius_m);
       throw InputError(text);
     }
@@ -215,7 +215,7 @@ std::vector<Cell> withSomewhereToGo(std::vector<Cell> route, const Configuration
     }
   });
   if (farthest == route.front()) {
-    throw InputError("the robot cannot move from its start");
+    throw InputError("the robot cannot move from its start; lower robot_radius");
   }
   return PathFinder(space, space.reach()).toNearest(route.front(), [&](Cell at) {
     return at == farthest;

@@ -12,22 +12,22 @@ namespace sfw {
 namespace {
 
 constexpr double kChord = 0.01;  // [s]
-constexpr double kPlay = 1e-4;   // way that a bumper gives before it is felt [m]
+constexpr double kPlay = 1e-4;   // travel of a bumper before it makes contact [m]
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The robot stops this far from what it runs into, so that rounding does not keep it from driving
-/// along a wall that it touches [m].
+/// The robot stops at this distance from an obstacle, so that rounding does not keep it from
+/// driving along a wall that it touches [m].
 constexpr double kSkin = 1e-6;
 
-constexpr double kRounding = 1e-12;  // an obstacle so much nearer than before is not nearer [m]
-constexpr double kOverlap = 1e-9;    // all such steps together [m]
+constexpr double kRounding = 1e-12;  // smaller differences of distances are rounding [m]
+constexpr double kOverlap = 1e-9;    // the sum of such differences [m]
 
-/// The value, moved towards a target by at most a step.
+/// A value moved towards a target by at most a step.
 double approached(double value, double target, double most) {
   return value + std::clamp(target - value, -most, most);
 }
 
-/// Where a ray is first nearer to a point than a radius; infinity if never or not ahead.
+/// The distance along a ray at which it enters a disc; infinity if it never does.
 double entryIntoDisc(const Position& from, const Position& direction, const Position& centre,
                      double radius_m) {
   const Position to_centre = centre - from;
@@ -40,7 +40,7 @@ double entryIntoDisc(const Position& from, const Position& direction, const Posi
   return along - std::sqrt(half_chord_squared);
 }
 
-/// Where a ray from outside a rectangle enters it; infinity if it does not.
+/// The distance along a ray at which it enters a rectangle; infinity if it never does.
 double entryIntoBox(const Position& from, const Position& direction, const Box& box) {
   double entry = -kInfinity;
   double exit = kInfinity;
@@ -65,7 +65,8 @@ Position nearestPoint(const Box& box, const Position& point) {
   return point.cwiseMax(box.min()).cwiseMin(box.max());
 }
 
-/// How far a disc can go along a ray until it overlaps a rectangle, which it does not do yet.
+/// The distance that a disc can move along a ray before it overlaps a rectangle. It must not
+/// overlap the rectangle at the start.
 double wayUntilOverlap(const Position& from, const Position& direction, const Box& box,
                        double radius_m) {
   // The rectangle grown by the disc: two rectangles and four discs.

@@ -201,7 +201,7 @@ TEST(RoutePlanner, MakesARouteOfTheSmallestRoom) {
 TEST(RoutePlanner, SaysWhyThereIsNoRoute) {
   const Grid<CellState> plan = threeRooms();
   EXPECT_EQ(messageOf([&] { planRoute(plan, RouteKind::kWalls, robot(2.0)); }),
-            "the plan has no free place for a robot of robot_radius 2.00 m");
+            "the plan has no free space for a robot of 2.00 m radius; lower robot_radius");
   RoutePlannerConfig config = robot(0.2);
   config.start_in_map = Position(0.1, 0.1);
   EXPECT_EQ(messageOf([&] { planRoute(plan, RouteKind::kWalls, config); }),
@@ -211,7 +211,7 @@ TEST(RoutePlanner, SaysWhyThereIsNoRoute) {
             "start (-50.00, 0.10) is not free for a robot of 0.20 m radius");
   const Grid<CellState> cell = test::world({"###", "#.#", "###"}, 1.0);
   EXPECT_EQ(messageOf([&] { planRoute(cell, RouteKind::kSparse, robot(0.2)); }),
-            "the robot cannot move from its start");
+            "the robot cannot move from its start; lower robot_radius");
 }
 
 TEST(RoutePlanner, ListsEveryBadSetting) {
