@@ -11,28 +11,28 @@
 namespace sfw {
 namespace {
 
-constexpr double kDriftTurns = 10.0;  // metres over which drift changes its direction
+constexpr double kDriftDistance = 10.0;  // over which drift changes its direction [m]
 
-/// The settings themselves, so that they are checked before anything is made of them.
+/// Returns the settings themselves, after their check.
 /// @throw InputError
 const RecordingConfig& usable(const RecordingConfig& config) {
   throwIfAny(validate(config));
   return config;
 }
 
-/// One chance to hear an access point.
-struct Chance {
+/// The time of a sample of an access point, which the radio may miss.
+struct SampleTime {
   double time_s;
   std::size_t access_point;
   std::uint64_t sample;
 };
 
-/// In order of time, then of access points.
-std::vector<Chance> chancesToHear(std::size_t access_points, double duration_s,
-                                  const RecordingConfig& config) {
+/// The samples of a drive, in order of time, then of access points.
+std::vector<SampleTime> sampleTimes(std::size_t access_points, double duration_s,
+                                    const RecordingConfig& config) {
   const bool scans = config.listening == Listening::kScans;
   const double period_s = scans ? config.scan_period_s : 1.0 / config.link_rate_hz;
-  std::vector<Chance> chances;
+  std::vector<SampleTime> times;
   for (std::size_t i = 0; i < access_points; ++i) {
     const double channel =
         1.0 - Random(config.radio.seed, streamOf(Purpose::kChannel, i), 0).uniform();
@@ -42,13 +42,13 @@ std::vector<Chance> chancesToHear(std::size_t access_points, double duration_s,
       if (time_s > duration_s) {
         break;
       }
-      chances.push_back({time_s, i, sample});
+      times.push_back({time_s, i, sample});
     }
   }
-  std::sort(chances.begin(), chances.end(), [](const Chance& a, const Chance& b) {
+  std::sort(times.begin(), times.end(), [](const SampleTime& a, const SampleTime& b) {
     return a.time_s < b.time_s || (a.time_s == b.time_s && a.access_point < b.access_point);
   });
-  return chances;
+  return times;
 }
 
 }  // namespace
@@ -74,9 +74,9 @@ PositionError::PositionError(const RecordingConfig& config)
                       streamOf(Purpose::kErrorX)),
       registration_y_(RandomField::Kind::kSmooth, config.registration_distance_m, config.radio.seed,
                       streamOf(Purpose::kErrorY)),
-      drift_x_(RandomField::Kind::kSmooth, kDriftTurns, config.radio.seed,
+      drift_x_(RandomField::Kind::kSmooth, kDriftDistance, config.radio.seed,
                streamOf(Purpose::kDriftX)),
-      drift_y_(RandomField::Kind::kSmooth, kDriftTurns, config.radio.seed,
+      drift_y_(RandomField::Kind::kSmooth, kDriftDistance, config.radio.seed,
                streamOf(Purpose::kDriftY)) {}
 
 Position PositionError::registration(const Position& position) const {
@@ -112,20 +112,20 @@ SimulatedRecording simulateRecording(const FloorPlan& plan, const std::vector<Po
   const SimulatedDrive drive(way_points, config);
   const RadioModel radio(plan, transmitters, config.radio);
   SimulatedRecording recording;
-  for (const Chance& chance : chancesToHear(transmitters.size(), drive.duration(), config)) {
-    const RobotPose pose = drive.truePose(chance.time_s);
-    const auto rssi_dbm = radio.rssi(chance.access_point, pose, chance.sample);
+  for (const SampleTime& at : sampleTimes(transmitters.size(), drive.duration(), config)) {
+    const RobotPose pose = drive.truePose(at.time_s);
+    const auto rssi_dbm = radio.rssi(at.access_point, pose, at.sample);
     if (!rssi_dbm) {
       continue;
     }
     Reading reading;
-    reading.stamp_ns = std::llround((config.start_s + chance.time_s) * 1e9);
-    reading.antenna_in_map = drive.reportedPose(chance.time_s).position;
-    reading.bssid = transmitters[chance.access_point].access_point.bssid;
+    reading.stamp_ns = std::llround((config.start_s + at.time_s) * 1e9);
+    reading.antenna_in_map = drive.reportedPose(at.time_s).position;
+    reading.bssid = transmitters[at.access_point].access_point.bssid;
     reading.rssi_dbm = *rssi_dbm;
     recording.readings.push_back(reading);
     recording.truth.push_back(
-        {pose, chance.access_point, radio.wallCount(chance.access_point, pose.position)});
+        {pose, at.access_point, radio.wallCount(at.access_point, pose.position)});
   }
   return recording;
 }

@@ -14,10 +14,10 @@
 namespace sfw {
 namespace {
 
-constexpr double kUsualTxDbm = 20.0;       // that rssi_at_1m is for
-constexpr double kWallPatch = 2.0;         // metres over which a wall's loss changes
-constexpr double kAreaPerFurniture = 9.0;  // square metres
-constexpr double kNear = 0.1;              // metres; nearer antennas touch, and the model ends
+constexpr double kUsualTxDbm = 20.0;              // for which rssi_at_1m holds
+constexpr double kWallCorrelationDistance = 2.0;  // of a wall's loss, 1/e [m]
+constexpr double kAreaPerFurniture = 9.0;         // [m2]
+constexpr double kMinDistance = 0.1;              // nearer antennas touch, and the model ends [m]
 
 std::string outsideText(const AccessPoint& access_point) {
   char text[64];
@@ -75,7 +75,7 @@ RadioModel::RadioModel(const FloorPlan& plan, const std::vector<Transmitter>& tr
     : plan_((requireUsable(plan, transmitters, config), plan)),
       transmitters_(transmitters),
       config_(config),
-      wall_variation_(RandomField::Kind::kSmooth, kWallPatch, config.seed,
+      wall_variation_(RandomField::Kind::kSmooth, kWallCorrelationDistance, config.seed,
                       streamOf(Purpose::kWallVariation)),
       robot_pattern_(config.robot_pattern_db, config.seed, streamOf(Purpose::kRobotPattern)) {
   if (config.max_furniture_loss_db > 0.0) {
@@ -120,7 +120,7 @@ double RadioModel::meanRssi(std::size_t access_point, const RobotPose& robot_in_
   const Position to_robot = robot_in_map.position - source.position;
   const double above =
       source.height_m.value_or(config_.antenna_height_m) - config_.antenna_height_m;
-  const double distance = std::max(std::hypot(to_robot.norm(), above), kNear);
+  const double distance = std::max(std::hypot(to_robot.norm(), above), kMinDistance);
   const double bearing = std::atan2(to_robot.y(), to_robot.x());
   const double seen_from_robot = bearing + kPi - robot_in_map.yaw_rad;
   double rssi_dbm = config_.rssi_at_1m_dbm + source.tx_dbm.value_or(kUsualTxDbm) - kUsualTxDbm;

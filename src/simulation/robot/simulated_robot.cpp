@@ -11,8 +11,8 @@
 namespace sfw {
 namespace {
 
-constexpr double kChord = 0.01;  // [s]
-constexpr double kPlay = 1e-4;   // travel of a bumper before it makes contact [m]
+constexpr double kChordDuration = 0.01;  // [s]
+constexpr double kBumperTravel = 1e-4;   // travel of a bumper before it makes contact [m]
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The robot stops at this distance from an obstacle, so that rounding does not keep it from
@@ -67,19 +67,20 @@ Position nearestPoint(const Box& box, const Position& point) {
 
 /// The distance that a disc can move along a ray before it overlaps a rectangle. It must not
 /// overlap the rectangle at the start.
-double wayUntilOverlap(const Position& from, const Position& direction, const Box& box,
-                       double radius_m) {
+double distanceToOverlap(const Position& from, const Position& direction, const Box& box,
+                         double radius_m) {
   // The rectangle grown by the disc: two rectangles and four discs.
-  double way = kInfinity;
+  double distance = kInfinity;
   for (int axis = 0; axis < 2; ++axis) {
     const Position grown = axis == 0 ? Position(radius_m, 0.0) : Position(0.0, radius_m);
-    way = std::min(way, entryIntoBox(from, direction, Box(box.min() - grown, box.max() + grown)));
+    distance = std::min(distance,
+                        entryIntoBox(from, direction, Box(box.min() - grown, box.max() + grown)));
   }
   for (int corner = 0; corner < 4; ++corner) {
     const Position at = box.corner(static_cast<Box::CornerType>(corner));
-    way = std::min(way, entryIntoDisc(from, direction, at, radius_m));
+    distance = std::min(distance, entryIntoDisc(from, direction, at, radius_m));
   }
-  return std::max(way, 0.0);
+  return std::max(distance, 0.0);
 }
 
 }  // namespace
@@ -126,7 +127,7 @@ bool SimulatedRobot::command(const DriveCommand& command) {
 }
 
 void SimulatedRobot::step(double duration_s) {
-  const auto chords = static_cast<int>(std::ceil(duration_s / kChord - 1e-9));
+  const auto chords = static_cast<int>(std::ceil(duration_s / kChordDuration - 1e-9));
   for (int i = 0; i < chords; ++i) {
     driveChord(duration_s / chords);
   }
@@ -146,20 +147,21 @@ void SimulatedRobot::driveChord(double duration_s) {
   if (chord != 0.0) {
     const double yaw = pose_.yaw_rad + half_turn;
     const Position direction = std::copysign(1.0, chord) * Position(std::cos(yaw), std::sin(yaw));
-    const Way way = wayTo(direction, std::abs(chord));
-    pose_.position += way.length_m * direction;
-    driven_m_ += way.length_m;
-    speed_m_s_ = way.obstacle ? 0.0 : speed_m_s_;
+    const FreePath path = freePath(direction, std::abs(chord));
+    pose_.position += path.length_m * direction;
+    driven_m_ += path.length_m;
+    speed_m_s_ = path.obstacle ? 0.0 : speed_m_s_;
   }
   constexpr double kFullTurn = 6.28318530717958647693;
   pose_.yaw_rad = std::remainder(pose_.yaw_rad + 2.0 * half_turn, kFullTurn);
 }
 
 std::optional<Position> SimulatedRobot::contact() const {
-  return wayTo({std::cos(pose_.yaw_rad), std::sin(pose_.yaw_rad)}, kPlay).obstacle;
+  return freePath({std::cos(pose_.yaw_rad), std::sin(pose_.yaw_rad)}, kBumperTravel).obstacle;
 }
 
-SimulatedRobot::Way SimulatedRobot::wayTo(const Position& direction, double length_m) const {
+SimulatedRobot::FreePath SimulatedRobot::freePath(const Position& direction,
+                                                  double length_m) const {
   const Position& from = pose_.position;
   const double stop_m = config_.radius_m + kSkin;
   double distance_m = stop_m;
@@ -170,17 +172,17 @@ SimulatedRobot::Way SimulatedRobot::wayTo(const Position& direction, double leng
   const double radius_m = std::max(config_.radius_m - kOverlap, distance_m - kRounding);
   Box swept(from);
   swept.extend(Position(from + length_m * direction));
-  Way way{length_m, std::nullopt};
+  FreePath path{length_m, std::nullopt};
   forEachObstacle(swept, stop_m, [&](const Box& square) {
-    const double until = wayUntilOverlap(from, direction, square, radius_m);
-    if (until < way.length_m) {
-      way.length_m = until;
-      way.obstacle = nearestPoint(square, from + until * direction);
+    const double until = distanceToOverlap(from, direction, square, radius_m);
+    if (until < path.length_m) {
+      path.length_m = until;
+      path.obstacle = nearestPoint(square, from + until * direction);
     }
   });
   // Or else pressing against a wall would creep into it by rounding after rounding.
-  way.length_m = way.obstacle && way.length_m < kOverlap ? 0.0 : way.length_m;
-  return way;
+  path.length_m = path.obstacle && path.length_m < kOverlap ? 0.0 : path.length_m;
+  return path;
 }
 
 template <class Visitor>

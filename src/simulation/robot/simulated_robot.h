@@ -59,13 +59,13 @@ class SimulatedRobot {
 
  private:
   /// A straight drive that an obstacle may end.
-  struct Way {
+  struct FreePath {
     double length_m;
     std::optional<Position> obstacle;  // the point touched at its end
   };
 
   void driveChord(double duration_s);
-  Way wayTo(const Position& direction, double length_m) const;
+  FreePath freePath(const Position& direction, double length_m) const;
 
   /// Calls `visit(Box)` for the square of each obstacle within a distance of a rectangle.
   template <class Visitor>
