@@ -1,8 +1,8 @@
 #include <iostream>
 #include <string>
 
-#include "cli/commands.h"
 #include "cli/building_options.h"
+#include "cli/commands.h"
 #include "simulation/scenario.h"
 #include "structure_from_wifi/map_files.h"
 
@@ -21,7 +21,8 @@ void runChooseSites(Options& options) {
   if (!options.parse()) {
     return;
   }
-  const std::string table = accessPointsYaml(placeAccessPoints(makeFloorPlan(building, seed), count, seed));
+  const std::string table =
+      accessPointsYaml(placeAccessPoints(makeFloorPlan(building, seed), count, seed));
   // The key's line comes first, alone.
   std::cout << (parameter ? table.substr(table.find('\n') + 1) : table);
 }

@@ -66,7 +66,8 @@ void runSimulate(Options& options) {
                      "number of access points to place if no --access-point is given");
   options.add("noise", "LEVEL", simulate.noise, "noise level: " + noiseLevelHelp());
   options.add("path", "PATH", simulate.scenario.path, "walls, sparse or a CSV of way points");
-  options.add("robot-radius", "METRES", simulate.scenario.robot_radius_m, "radius of the robot [m]");
+  options.add("robot-radius", "METRES", simulate.scenario.robot_radius_m,
+              "radius of the robot [m]");
   options.add("seed", "N", simulate.scenario.seed, "seed of everything random");
   options.addFlag("bag", simulate.bag, "also write recording.bag");
   options.addRequired("output", "DIRECTORY", simulate.output,

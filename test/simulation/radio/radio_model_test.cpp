@@ -131,8 +131,7 @@ TEST(RadioModel, FurnitureWeakensSignalsAndSaturatesWithTheWalls) {
   const std::vector<Furniture> pieces = placeFurniture(dividedHall(), 5.0, 9.0, config.seed);
   EXPECT_EQ(pieces.size(), 440U);  // 99 x 40 m of free space
   const Position place(52.5, 3.0);
-  const double sum =
-      config.interior_wall_loss_db + furnitureLoss(pieces, {45, 20}, place);
+  const double sum = config.interior_wall_loss_db + furnitureLoss(pieces, {45, 20}, place);
   EXPECT_GT(sum, config.interior_wall_loss_db);
   EXPECT_NEAR(radio.obstacleLoss(0, place), 15.0 * (1.0 - std::exp(-sum / 15.0)), 1e-9);
 }
