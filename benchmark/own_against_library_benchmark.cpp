@@ -24,7 +24,7 @@
 
 #include "radio/nearest_neighbours.h"
 #include "radio/vecchia_rows.h"
-#include "simulation/building/plan_generator.h"
+#include "simulation/building/floor_plan_generator.h"
 #include "simulation/robot/route.h"
 #include "simulation/robot/route_planner.h"
 #include "tomography/line_rays.h"
@@ -77,10 +77,10 @@ struct Drive {
 
 /// A position every 0.2 m of laps along the walls; each lap is 7 cm beside the one before.
 Drive officeDrive(std::size_t count) {
-  PlanGeneratorConfig building;
+  BuildingConfig building;
   building.kind = BuildingKind::kOffice;
-  building.area = 400.0;
-  const FloorPlan plan = generatePlan(building).plan;
+  building.area_m2 = 400.0;
+  const FloorPlan plan = generateFloorPlan(building);
   const Route route(planRoute(toStates(plan), RouteKind::kWalls), 1.0, 1000.0);
   std::vector<Position> positions;
   for (std::size_t i = 0; i < count; ++i) {
