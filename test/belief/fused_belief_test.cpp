@@ -64,7 +64,7 @@ TEST(Tomography, FindsFreeSpaceAndHearsWallsInAFlat) {
   EXPECT_GE(evaluation.map.free.iou, 0.75);
   EXPECT_GE(*evaluation.map.radio->auc, 0.9);
   EXPECT_GE(*evaluation.map.radio->auc_off_path, 0.7);
-  EXPECT_EQ(snapshot->tomography->style, (StyleShares{1.0, 0.0, 0.0}));
+  EXPECT_EQ(snapshot->tomography->style.along_walls, 1.0);
 }
 
 TEST(Tomography, HearsNothingInSignalsAtWrongPlaces) {
