@@ -63,7 +63,7 @@ class CellFeatureExtractor {
         beside_(boxMean(walls.loss_db, wholeCells(0.2))),
         ways_(shortestPathsFrom(path.cells, distance_, walls.loss_db, stop)),
         alignment_(axisAlignment(geometry_, path.driven, path.max_gap_m)),
-        style_(styleOf(path.cells, disc_middle_, path.driven, path.max_gap_m)),
+        style_(measurePathStyle(path.cells, disc_middle_, path.driven, path.max_gap_m)),
         explained_(explainedVariance(heard, walls.ray_loss_db)) {
     Values covered(geometry_);
     for (std::size_t i = 0; i < distance_.cells.size(); ++i) {

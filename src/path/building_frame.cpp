@@ -10,23 +10,24 @@
 namespace sfw {
 namespace {
 
-/// Long enough that the jitter of a pose does not turn it.
+/// Pieces are so long that the jitter of a pose hardly turns them.
 constexpr double kPiece = 0.4;  // [m]
 
-/// Headings as likely in all directions reach about 1/sqrt(pieces); below this they say nothing.
+/// Random headings reach a concentration of about 1/sqrt(pieces). Below this limit headings are no
+/// evidence.
 constexpr double kLeastConcentration = 0.15;
 constexpr double kRefinement = 8.0 * kPi / 180.0;
 
-/// An area is as wide as long if its axes differ by less.
+/// Below this ratio of its axes an area has no long side.
 constexpr double kLeastElongation = 1.3;
 
-/// To [-pi/4, pi/4): quarter turns look alike.
+/// Maps an angle to [-pi/4, pi/4), because quarter turns look alike.
 double quarterTurn(double yaw_rad) {
   const double turned = yaw_rad - 0.5 * kPi * std::floor(yaw_rad / (0.5 * kPi) + 0.5);
   return turned < 0.25 * kPi ? turned : turned - 0.5 * kPi;
 }
 
-std::vector<Position> piecesOf(const std::vector<Position>& path, double max_gap) {
+std::vector<Position> piecesOf(const std::vector<Position>& path, double max_gap_m) {
   std::vector<Position> pieces;
   if (path.empty()) {
     return pieces;
@@ -34,7 +35,7 @@ std::vector<Position> piecesOf(const std::vector<Position>& path, double max_gap
   Position from = path.front();
   Position last = path.front();
   for (const Position& position : path) {
-    if ((position - last).norm() > max_gap) {
+    if ((position - last).norm() > max_gap_m) {
       from = position;
     } else if ((position - from).norm() >= kPiece) {
       pieces.push_back(position - from);
@@ -94,8 +95,8 @@ std::optional<double> yawOfSpread(const std::vector<Position>& path) {
 
 }  // namespace
 
-BuildingFrame findBuildingFrame(const std::vector<Position>& path, double max_gap) {
-  if (const std::optional<double> yaw = yawOfHeadings(piecesOf(path, max_gap))) {
+BuildingFrame findBuildingFrame(const std::vector<Position>& path, double max_gap_m) {
+  if (const std::optional<double> yaw = yawOfHeadings(piecesOf(path, max_gap_m))) {
     return {quarterTurn(*yaw), BuildingFrame::Source::kHeadings};
   }
   if (const std::optional<double> yaw = yawOfSpread(path)) {

@@ -9,46 +9,48 @@
 namespace sfw {
 namespace {
 
-/// The most that odometry is taken to drift, for a metre driven: that of poor wheels on carpet.
+/// The largest drift of odometry per metre driven: that of poor wheels on carpet.
 constexpr double kMostDrift = 0.1;  // [m/m]
 constexpr double kMostTurn = 0.1;   // [rad/m]
 
-/// Jumps that follow each other so closely are one: tf interpolates between the transform before
-/// a jump and the one after it, and a reading may fall in between.
+/// Jumps closer together than this are one jump: tf interpolates between the transform before a
+/// jump and the one after it, and a reading may fall in between.
 constexpr std::int64_t kOneJump = 1000000000;  // [ns]
 
-auto order(const OdometryCorrection& fix) {
-  return std::make_tuple(fix.stamp_ns, fix.antenna_in_map.x(), fix.antenna_in_map.y(),
-                         fix.odom_in_map.x(), fix.odom_in_map.y(), fix.odom_yaw_rad);
+auto order(const OdometryCorrection& correction) {
+  return std::make_tuple(correction.stamp_ns, correction.antenna_in_map.x(),
+                         correction.antenna_in_map.y(), correction.odom_in_map.x(),
+                         correction.odom_in_map.y(), correction.odom_yaw_rad);
 }
 
 Position turned(double angle_rad, const Position& vector) {
   return Eigen::Rotation2Dd(angle_rad) * vector;
 }
 
-Position antennaInOdom(const OdometryCorrection& fix) {
-  return turned(-fix.odom_yaw_rad, fix.antenna_in_map - fix.odom_in_map);
+Position antennaInOdom(const OdometryCorrection& correction) {
+  return turned(-correction.odom_yaw_rad, correction.antenna_in_map - correction.odom_in_map);
 }
 
-/// Where `fix` would be by the correction of the fix before it.
-Position withoutJump(const OdometryCorrection& before, const OdometryCorrection& fix) {
-  return before.odom_in_map + turned(before.odom_yaw_rad, antennaInOdom(fix));
+/// Returns where the antenna would be without the change from `before` to `correction`.
+Position withoutJump(const OdometryCorrection& before, const OdometryCorrection& correction) {
+  return before.odom_in_map + turned(before.odom_yaw_rad, antennaInOdom(correction));
 }
 
 double turnBetween(const OdometryCorrection& before, const OdometryCorrection& after) {
   return std::remainder(after.odom_yaw_rad - before.odom_yaw_rad, 2.0 * kPi);
 }
 
-/// A path on which jumps are spread, one after the other.
+/// A path over which jumps are spread, one after the other.
 class SpreadPath {
  public:
-  explicit SpreadPath(const std::vector<OdometryCorrection>& fixes)
-      : fixes_(fixes), way_(fixes.size(), 0.0), turn_(fixes.size(), 0.0) {
-    position_.reserve(fixes.size());
-    for (std::size_t i = 0; i < fixes.size(); ++i) {
-      position_.push_back(fixes[i].antenna_in_map);
+  explicit SpreadPath(const std::vector<OdometryCorrection>& corrections)
+      : corrections_(corrections), way_(corrections.size(), 0.0), turn_(corrections.size(), 0.0) {
+    position_.reserve(corrections.size());
+    for (std::size_t i = 0; i < corrections.size(); ++i) {
+      position_.push_back(corrections[i].antenna_in_map);
       if (i > 0) {
-        way_[i] = way_[i - 1] + (antennaInOdom(fixes[i]) - antennaInOdom(fixes[i - 1])).norm();
+        way_[i] = way_[i - 1] +
+                  (antennaInOdom(corrections[i]) - antennaInOdom(corrections[i - 1])).norm();
       }
     }
   }
@@ -57,18 +59,18 @@ class SpreadPath {
   const Position& positionAt(std::size_t i) const { return position_[i]; }
   double turnAt(std::size_t i) const { return turn_[i]; }
 
-  /// Moves the fixes before a jump, which lasts from fix `begin` to fix `end`, so that the path
-  /// comes out where `end` is.
-  /// @param since_m  way at which drift began
+  /// Moves the positions before a jump, which lasts from correction `begin` to correction `end`, so
+  /// that the path ends at the position of `end`.
+  /// @param since_m  distance driven at which drift began
   void spread(std::size_t begin, std::size_t end, double since_m) {
-    const OdometryCorrection& before = fixes_[begin - 1];
+    const OdometryCorrection& before = corrections_[begin - 1];
     for (std::size_t i = begin; i < end; ++i) {  // tf may be half way there
-      position_[i] = withoutJump(before, fixes_[i]);
-      turn_[i] = -turnBetween(before, fixes_[i]);
+      position_[i] = withoutJump(before, corrections_[i]);
+      turn_[i] = -turnBetween(before, corrections_[i]);
     }
-    const Position arrival = withoutJump(before, fixes_[end]);
-    const Position target = fixes_[end].antenna_in_map;
-    const double turn_rad = turnBetween(before, fixes_[end]);
+    const Position arrival = withoutJump(before, corrections_[end]);
+    const Position target = corrections_[end].antenna_in_map;
+    const double turn_rad = turnBetween(before, corrections_[end]);
     const double needed_m =
         std::max((target - arrival).norm() / kMostDrift, std::abs(turn_rad) / kMostTurn);
     const double from_m = std::min(since_m, way_[end] - needed_m);
@@ -80,7 +82,7 @@ class SpreadPath {
     const Position rigid = target + turned(turn_rad, position_[first] - arrival);
     turnSteps(first, end, arrival, share(first) * (rigid - position_[first]),
               [&](std::size_t i) { return share(i) * turn_rad; });
-    // Over the chain of turned steps goes what is left to the target.
+    // The rest of the way to the target is spread over the chain of turned steps.
     const Position left = target - position_[end];
     for (std::size_t i = first; i <= end && share(first) < 1.0; ++i) {
       position_[i] += (share(i) - share(first)) / (1.0 - share(first)) * left;
@@ -90,15 +92,15 @@ class SpreadPath {
   }
 
  private:
-  /// The last fix before `end` by a way, or else the first of all.
+  /// Returns the last correction before `end` up to a distance driven, or the first of all.
   std::size_t lastBy(double way_m, std::size_t end) const {
     const auto until = way_.begin() + static_cast<std::ptrdiff_t>(end);
     const auto after = std::upper_bound(way_.begin(), until, way_m);
     return static_cast<std::size_t>(after == way_.begin() ? 0 : after - way_.begin() - 1);
   }
 
-  /// Turns each step of the path from `first` to `arrival`, which becomes fix `end`, by the mean of
-  /// the turns at its ends; the first fix moves by `shift`.
+  /// Turns each step of the path from `first` to `arrival` by the mean of the turns at its ends.
+  /// `arrival` becomes the position of `end`, and the position of `first` moves by `shift`.
   template <class Turn>
   void turnSteps(std::size_t first, std::size_t end, const Position& arrival, const Position& shift,
                  const Turn& turn) {
@@ -114,10 +116,10 @@ class SpreadPath {
     }
   }
 
-  const std::vector<OdometryCorrection>& fixes_;
+  const std::vector<OdometryCorrection>& corrections_;
   std::vector<double> way_;  // driven by odometry [m]
   std::vector<Position> position_;
-  std::vector<double> turn_;  // since the fix was made
+  std::vector<double> turn_;  // by which each heading was corrected [rad]
 };
 
 }  // namespace
@@ -132,13 +134,13 @@ Position PathCorrection::moved(std::int64_t stamp_ns, const Position& point_in_m
   return found->to + turned(found->turn_rad, point_in_map - found->from);
 }
 
-void PathCorrector::insert(const OdometryCorrection& fix) {
-  const bool finite = fix.antenna_in_map.allFinite() && fix.odom_in_map.allFinite() &&
-                      std::isfinite(fix.odom_yaw_rad);
-  // The readings of a scan come one after the other and share their fix.
-  const bool repeated = !fixes_.empty() && order(fixes_.back()) == order(fix);
+void PathCorrector::insert(const OdometryCorrection& correction) {
+  const bool finite = correction.antenna_in_map.allFinite() && correction.odom_in_map.allFinite() &&
+                      std::isfinite(correction.odom_yaw_rad);
+  // The readings of a scan come one after the other and share their correction.
+  const bool repeated = !corrections_.empty() && order(corrections_.back()) == order(correction);
   if (finite && !repeated) {
-    fixes_.push_back(fix);
+    corrections_.push_back(correction);
   }
 }
 
@@ -149,45 +151,46 @@ bool PathCorrector::isJump(const OdometryCorrection& before, const OdometryCorre
          std::abs(turnBetween(before, after)) > tolerance.turn_rad;
 }
 
-std::size_t PathCorrector::endOfJump(const std::vector<OdometryCorrection>& fixes,
+std::size_t PathCorrector::endOfJump(const std::vector<OdometryCorrection>& corrections,
                                      std::size_t begin) const {
   std::size_t end = begin;
   for (std::size_t i = begin + 1;
-       i < fixes.size() && fixes[i].stamp_ns - fixes[end].stamp_ns <= kOneJump; ++i) {
-    end = isJump(fixes[i - 1], fixes[i], tolerance_) ? i : end;
+       i < corrections.size() && corrections[i].stamp_ns - corrections[end].stamp_ns <= kOneJump;
+       ++i) {
+    end = isJump(corrections[i - 1], corrections[i], tolerance_) ? i : end;
   }
   return end;
 }
 
 PathCorrection PathCorrector::correction() const {
-  std::vector<OdometryCorrection> fixes = fixes_;
+  std::vector<OdometryCorrection> corrections = corrections_;
   std::sort(
-      fixes.begin(), fixes.end(),
+      corrections.begin(), corrections.end(),
       [](const OdometryCorrection& a, const OdometryCorrection& b) { return order(a) < order(b); });
-  fixes.erase(std::unique(fixes.begin(), fixes.end(),
-                          [](const OdometryCorrection& a, const OdometryCorrection& b) {
-                            return a.stamp_ns == b.stamp_ns;
-                          }),
-              fixes.end());
-  SpreadPath path(fixes);
-  double since_m = 0.0;  // where the way of the next jump begins
-  for (std::size_t i = 1; i < fixes.size(); ++i) {
-    if (!isJump(fixes[i - 1], fixes[i], tolerance_)) {
+  corrections.erase(std::unique(corrections.begin(), corrections.end(),
+                                [](const OdometryCorrection& a, const OdometryCorrection& b) {
+                                  return a.stamp_ns == b.stamp_ns;
+                                }),
+                    corrections.end());
+  SpreadPath path(corrections);
+  double since_m = 0.0;  // distance driven at which the drift before the next jump begins
+  for (std::size_t i = 1; i < corrections.size(); ++i) {
+    if (!isJump(corrections[i - 1], corrections[i], tolerance_)) {
       continue;
     }
-    const std::size_t end = endOfJump(fixes, i);
+    const std::size_t end = endOfJump(corrections, i);
     path.spread(i, end, since_m);
     since_m = path.wayAt(end);
     i = end;
   }
-  PathCorrection correction;
-  for (std::size_t i = 0; i < fixes.size(); ++i) {
-    const Position& from = fixes[i].antenna_in_map;
+  PathCorrection result;
+  for (std::size_t i = 0; i < corrections.size(); ++i) {
+    const Position& from = corrections[i].antenna_in_map;
     if (path.positionAt(i) != from || path.turnAt(i) != 0.0) {
-      correction.moves_.push_back({fixes[i].stamp_ns, from, path.positionAt(i), path.turnAt(i)});
+      result.moves_.push_back({corrections[i].stamp_ns, from, path.positionAt(i), path.turnAt(i)});
     }
   }
-  return correction;
+  return result;
 }
 
 }  // namespace sfw

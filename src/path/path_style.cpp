@@ -13,35 +13,35 @@ namespace {
 struct Piece {
   Position from = Position::Zero();
   Position to = Position::Zero();
-  double at_m = 0.0;  ///< way driven until its middle
+  double at_m = 0.0;  ///< distance driven up to its middle
   double length_m = 0.0;
   double fit = 0.0;        ///< cosine of four times its heading
   bool continues = false;  ///< no gap since the piece before
 };
 
-std::vector<Piece> piecesOf(const std::vector<Position>& driven, double least, double max_gap) {
+std::vector<Piece> piecesOf(const std::vector<Position>& driven, double least_m, double max_gap_m) {
   // Longer than any stretch over which pieces are compared.
   constexpr double kGapLength = 10.0;
   std::vector<Piece> pieces;
-  double way = 0.0;
+  double driven_m = 0.0;
   bool continues = false;
   Position from = driven.front();
   Position last = from;
   for (const Position& position : driven) {
-    const bool gap = (position - last).norm() > max_gap;
+    const bool gap = (position - last).norm() > max_gap_m;
     last = position;
     if (gap) {
-      way += kGapLength;
+      driven_m += kGapLength;
       continues = false;
       from = position;
       continue;
     }
     const Position step = position - from;
     const double length = step.norm();
-    if (length >= least) {
-      pieces.push_back({from, position, way + 0.5 * length, length,
+    if (length >= least_m) {
+      pieces.push_back({from, position, driven_m + 0.5 * length, length,
                         std::cos(4.0 * std::atan2(step.y(), step.x())), continues});
-      way += length;
+      driven_m += length;
       continues = true;
       from = position;
     }
@@ -49,36 +49,36 @@ std::vector<Piece> piecesOf(const std::vector<Position>& driven, double least, d
   return pieces;
 }
 
-double rimShareOf(const Mask& path, const Grid<float>& enclosed) {
+double rimShareOf(const Mask& path, const Grid<float>& enclosed_depth_m) {
   constexpr float kAtRim = 0.15F;  // [m]
   double cells = 0.0;
   double at_rim = 0.0;
   for (std::size_t i = 0; i < path.cells.size(); ++i) {
     if (path.cells[i] != 0) {
       cells += 1.0;
-      at_rim += enclosed.cells[i] <= kAtRim ? 1.0 : 0.0;
+      at_rim += enclosed_depth_m.cells[i] <= kAtRim ? 1.0 : 0.0;
     }
   }
   return cells > 0.0 ? at_rim / cells : 0.0;
 }
 
-/// Shorter pieces have the jitter of poses in their headings [m].
+/// The headings of shorter pieces suffer from the jitter of poses [m].
 constexpr double kHeadingPiece = 0.1;
 
 }  // namespace
 
-PathStyle styleOf(const Mask& path, const Grid<float>& enclosed,
-                  const std::vector<Position>& driven, double max_gap) {
+PathStyle measurePathStyle(const Mask& path, const Grid<float>& enclosed_depth_m,
+                           const std::vector<Position>& driven, double max_gap_m) {
   PathStyle style;
-  style.rim_share = rimShareOf(path, enclosed);
+  style.rim_share = rimShareOf(path, enclosed_depth_m);
   double length = 0.0;
-  for (const Piece& piece : piecesOf(driven, kHeadingPiece, max_gap)) {
+  for (const Piece& piece : piecesOf(driven, kHeadingPiece, max_gap_m)) {
     style.axis_share += piece.length_m * piece.fit;
     length += piece.length_m;
   }
   style.axis_share /= std::max(length, kHeadingPiece);
   constexpr double kTurnPiece = 0.3;  // [m]
-  const std::vector<Piece> pieces = piecesOf(driven, kTurnPiece, max_gap);
+  const std::vector<Piece> pieces = piecesOf(driven, kTurnPiece, max_gap_m);
   double turns = 0.0;
   for (std::size_t i = 1; i < pieces.size(); ++i) {
     if (pieces[i].continues) {
@@ -93,9 +93,9 @@ PathStyle styleOf(const Mask& path, const Grid<float>& enclosed,
 }
 
 Grid<float> axisAlignment(const GridGeometry& geometry, const std::vector<Position>& driven,
-                          double max_gap) {
+                          double max_gap_m) {
   constexpr double kStretch = 0.75;  // [m] to each side
-  const std::vector<Piece> pieces = piecesOf(driven, kHeadingPiece, max_gap);
+  const std::vector<Piece> pieces = piecesOf(driven, kHeadingPiece, max_gap_m);
   Grid<float> alignment(geometry);
   Grid<float> passes(geometry);
   std::size_t low = 0;

@@ -9,8 +9,8 @@ namespace sfw {
 namespace {
 
 constexpr double kFaster = 5.0;        // times the usual speed
-constexpr double kSlow = 2.0;          // [m/s] that any robot may reach
-constexpr double kJump = 2.0;          // [m] that a correction of the path may move it by at once
+constexpr double kSlow = 2.0;          // [m/s], a speed that any robot may reach
+constexpr double kJump = 2.0;          // [m], by which a correction may move the path at once
 constexpr double kLongestLost = 10.0;  // [s]
 
 double seconds(const PathPose& from, const PathPose& to) {
@@ -23,10 +23,10 @@ struct Piece {
   std::size_t last;
 };
 
-std::vector<Piece> piecesOf(const std::vector<PathPose>& path, double usual_speed) {
+std::vector<Piece> piecesOf(const std::vector<PathPose>& path, double usual_speed_mps) {
   std::vector<Piece> pieces;
   for (std::size_t i = 0; i < path.size(); ++i) {
-    if (i > 0 && isReachable(path[i - 1], path[i], usual_speed)) {
+    if (i > 0 && isReachable(path[i - 1], path[i], usual_speed_mps)) {
       pieces.back().last = i;
     } else {
       pieces.push_back({i, i});
@@ -54,24 +54,24 @@ double usualSpeed(const std::vector<PathPose>& path) {
   return *middle;
 }
 
-bool isReachable(const PathPose& from, const PathPose& to, double usual_speed) {
-  const double fastest = std::max(kSlow, kFaster * usual_speed);
+bool isReachable(const PathPose& from, const PathPose& to, double usual_speed_mps) {
+  const double fastest = std::max(kSlow, kFaster * usual_speed_mps);
   return (to.antenna_in_map - from.antenna_in_map).norm() <= kJump + fastest * seconds(from, to);
 }
 
 std::vector<bool> strayPoses(const std::vector<PathPose>& path) {
   std::vector<bool> stray(path.size(), false);
-  const double usual_speed = usualSpeed(path);
-  const std::vector<Piece> pieces = piecesOf(path, usual_speed);
+  const double usual_speed_mps = usualSpeed(path);
+  const std::vector<Piece> pieces = piecesOf(path, usual_speed_mps);
   if (pieces.size() < 2) {
     return stray;
   }
   const auto most = std::max_element(
       pieces.begin(), pieces.end(),
       [](const Piece& a, const Piece& b) { return a.last - a.first < b.last - b.first; });
-  const auto judge = [&](const Piece& piece, std::size_t believed, std::size_t near) {
+  const auto keep = [&](const Piece& piece, std::size_t kept, std::size_t nearest) {
     const bool lasts = seconds(path[piece.first], path[piece.last]) >= kLongestLost;
-    if (lasts || isReachable(path[believed], path[near], usual_speed)) {
+    if (lasts || isReachable(path[kept], path[nearest], usual_speed_mps)) {
       return true;
     }
     for (std::size_t i = piece.first; i <= piece.last; ++i) {
@@ -79,14 +79,14 @@ std::vector<bool> strayPoses(const std::vector<PathPose>& path) {
     }
     return false;
   };
-  std::size_t believed = most->last;
+  std::size_t kept = most->last;
   for (auto piece = most + 1; piece != pieces.end(); ++piece) {
-    believed = judge(*piece, believed, piece->first) ? piece->last : believed;
+    kept = keep(*piece, kept, piece->first) ? piece->last : kept;
   }
-  believed = most->first;
+  kept = most->first;
   for (auto piece = most; piece != pieces.begin();) {
     --piece;
-    believed = judge(*piece, believed, piece->last) ? piece->first : believed;
+    kept = keep(*piece, kept, piece->last) ? piece->first : kept;
   }
   return stray;
 }

@@ -15,7 +15,7 @@ const GridGeometry kNoCells(1.0, {0.0, 0.0}, 1, 1);
 
 /// Style of a way, whatever it encloses.
 PathStyle styleOfWay(const std::vector<Position>& driven) {
-  return styleOf(Mask(kNoCells), Grid<float>(kNoCells), driven, kMaxGap);
+  return measurePathStyle(Mask(kNoCells), Grid<float>(kNoCells), driven, kMaxGap);
 }
 
 // ---- Rim share ----
@@ -24,7 +24,7 @@ TEST(PathStyle, RimShareCountsCellsWithinFifteenCentimetresOfTheRim) {
   const Mask path = mask({"####.."});
   Grid<float> depth(path.geometry);
   depth.cells = {0.10F, 0.15F, 0.16F, 1.2F, 0.0F, -0.5F};
-  EXPECT_EQ(styleOf(path, depth, {{0.0, 0.0}}, kMaxGap).rim_share, 0.5);
+  EXPECT_EQ(measurePathStyle(path, depth, {{0.0, 0.0}}, kMaxGap).rim_share, 0.5);
 }
 
 TEST(PathStyle, RimShareOfNoCellsIsZero) { EXPECT_EQ(styleOfWay({{0.0, 0.0}}).rim_share, 0.0); }
