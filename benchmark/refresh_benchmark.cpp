@@ -101,10 +101,10 @@ double octomapBytes(const Snapshot& snapshot) {
 
 DriveData mappedDrive(const Mapper& mapper, const std::vector<AccessPoint>& access_points) {
   DriveData drive;
-  drive.heard.resize(access_points.size());
+  drive.access_points.resize(access_points.size());
   for (std::size_t i = 0; i < access_points.size(); ++i) {
-    drive.heard[i].access_point_in_map = access_points[i].position;
-    drive.heard[i].height_m = access_points[i].height_m;
+    drive.access_points[i].access_point_in_map = access_points[i].position;
+    drive.access_points[i].height_m = access_points[i].height_m;
   }
   for (const Reading& reading : mapper.readings()) {
     if (drive.path.empty() || drive.path.back() != reading.antenna_in_map) {
@@ -112,7 +112,7 @@ DriveData mappedDrive(const Mapper& mapper, const std::vector<AccessPoint>& acce
     }
     for (std::size_t i = 0; i < access_points.size(); ++i) {
       if (access_points[i].bssid == reading.bssid) {
-        drive.heard[i].samples.push_back({reading.antenna_in_map, reading.rssi_dbm});
+        drive.access_points[i].samples.push_back({reading.antenna_in_map, reading.rssi_dbm});
       }
     }
   }
@@ -163,11 +163,11 @@ double plainSeconds(const std::vector<AccessPointBins>& heard, const WallFieldCo
 
 /// The path's cells: those that are no way from it.
 Mask pathCells(const CellFeatures& cells) {
-  const auto& names = cellFeatureNames();
-  const auto distance =
-      std::find_if(names.begin(), names.end(),
-                   [](const char* name) { return std::string_view(name) == "path_distance"; }) -
-      names.begin();
+  const auto distance = std::find_if(std::begin(kCellFeatureTable), std::end(kCellFeatureTable),
+                                     [](const CellFeature& feature) {
+                                       return std::string_view(feature.name) == "path_distance";
+                                     }) -
+                        std::begin(kCellFeatureTable);
   Mask path(cells.geometry);
   for (std::size_t i = 0; i < cells.cells.size(); ++i) {
     path.cells[cells.cells[i]] = cells.values[i][static_cast<std::size_t>(distance)] == 0.0F;
@@ -195,7 +195,7 @@ void measure(double minutes, const Mapper& mapper, const std::vector<AccessPoint
 
   std::size_t bins = 0;
   double precision = 0.0;
-  for (const AccessPointBins& one : described.heard) {
+  for (const AccessPointBins& one : described.access_points) {
     bins += one.bins.size();
     const auto part = static_cast<std::size_t>((1.0 - walls.holdout_fraction) *
                                                static_cast<double>(one.bins.size()));
@@ -206,13 +206,13 @@ void measure(double minutes, const Mapper& mapper, const std::vector<AccessPoint
                  });
   }
   const double wall_field = cpuSeconds([&] {
-    return estimateWalls(path.cells.geometry, described.heard, path.cells, path.robot_radius_m,
-                         walls, never)
+    return estimateWalls(path.cells.geometry, described.access_points, path.cells,
+                         path.robot_radius_m, walls, never)
         .ray_loss_db[0][0];
   });
   const double features = cpuSeconds([&] {
     return static_cast<double>(
-        extractCellFeatures(path, described.heard, described.walls, never).values[0][0]);
+        extractCellFeatures(path, described.access_points, described.walls, never).values[0][0]);
   });
   const std::shared_ptr<const Snapshot> snapshot = mapper.infer();
   const double inference = cpuSeconds([&] {
@@ -221,7 +221,7 @@ void measure(double minutes, const Mapper& mapper, const std::vector<AccessPoint
   const double publishing = cpuSeconds([&] { return publishedBytes(*snapshot); });
   const double octomaps = cpuSeconds([&] { return octomapBytes(*snapshot); });
   const double refresh = inference + publishing;
-  const double plain = plainSeconds(described.heard, walls);
+  const double plain = plainSeconds(described.access_points, walls);
   std::printf(
       "| %.0f min | %zu | %zu | %zu | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.1f | %.1f "
       "|\n",

@@ -12,18 +12,20 @@ class COccupancyGridMap2D;
 
 namespace sfw {
 
-/// What is believed of each cell, kept in MRPT's occupancy grid. Immutable once made.
+/// Occupancy probability of each cell, stored in MRPT's occupancy grid. Immutable.
 ///
 /// MRPT stores log-odds of being FREE in 1/16 steps of an int8, so probabilities are rounded to
 /// that scale and end at 0.00036 and 0.99964.
 class SFW_EXPORT BeliefMap {
  public:
-  /// All unknown.
+  /// Creates a map without any known cell.
   /// @throw std::invalid_argument if MRPT cannot hold the geometry.
   BeliefMap(const GridGeometry& geometry, const Config::Belief& config);
 
-  /// @param occupied probability of being occupied; a value that is not in [0, 1] counts as 0.5
-  /// @param config   thresholds of free and occupied
+  /// Creates a map of probabilities.
+  /// @param occupied  probability of being occupied; a value outside [0, 1] counts as 0.5
+  /// @param config    thresholds of free and occupied
+  /// @throw std::invalid_argument if MRPT cannot hold the geometry.
   BeliefMap(const Grid<float>& occupied, const Config::Belief& config);
 
   /// The grid of the map.
@@ -35,7 +37,7 @@ class SFW_EXPORT BeliefMap {
   /// Probability that a contained cell is occupied.
   float occupied(Cell c) const;
 
-  /// True if anything at all is known of a contained cell.
+  /// True if there is any evidence for a contained cell.
   bool known(Cell c) const;
 
   /// Free, occupied or unknown, by the thresholds of the configuration.

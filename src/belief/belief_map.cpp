@@ -35,7 +35,8 @@ std::shared_ptr<MrptGrid> gridOf(const Grid<float>& occupied) {
     MrptGrid::cellType* row = grid->getRow(static_cast<int>(y));
     for (std::int64_t x = 0; x < geometry.width(); ++x) {
       const float p = occupied[Cell{x, y}];
-      // MRPT reads outside its tables for anything else, NaN included.
+      // MRPT stores the probability of free space. It reads outside its tables for anything but a
+      // probability, NaN included.
       const bool valid = p >= 0.0F && p <= 1.0F;
       row[x] = MrptGrid::p2l(valid ? 1.0F - p : 0.5F);
     }

@@ -23,7 +23,7 @@ double logDensity(const BeliefModel::Expert& expert, const BeliefModel::Style& s
   return -0.5 * white.squaredNorm() - factor.matrixLLT().diagonal().array().log().sum();
 }
 
-double score(const BeliefModel::Weights& weights, const std::array<float, kCellFeatures>& cell) {
+double score(const BeliefModel::Weights& weights, const FeatureVector& cell) {
   double sum = weights.intercept;
   for (std::size_t i = 0; i < kCellFeatures; ++i) {
     sum += weights.features[i] * static_cast<double>(cell[i]);
@@ -47,20 +47,37 @@ void requireUsable(const BeliefModel::Expert& expert) {
   }
 }
 
+void requireFormat(const YAML::Node& node) {
+  const std::string remedy =
+      "; fit the model again with sfw fit, or use the shipped one by leaving "
+      "belief/model empty";
+  const std::string readable = std::to_string(kBeliefModelFormat);
+  if (!node["format"]) {
+    throw std::invalid_argument(
+        "the belief model has no key format, so it was made by another "
+        "version; this version reads format " +
+        readable + remedy);
+  }
+  if (node["format"].as<int>(0) != kBeliefModelFormat) {
+    throw std::invalid_argument("the belief model has format " +
+                                node["format"].as<std::string>("?") +
+                                ", but this version reads format " + readable + remedy);
+  }
+}
+
 BeliefModel::Weights parseWeights(const YAML::Node& node) {
   BeliefModel::Weights weights;
   weights.intercept = node["intercept"].as<double>();
-  if (node.size() != kCellFeatures + 1) {
-    throw std::invalid_argument(
-        "a model must weigh the intercept and each of the " + std::to_string(kCellFeatures) +
-        " features once; one of another version can be made anew by sfw fit");
-  }
   for (std::size_t i = 0; i < kCellFeatures; ++i) {
-    const char* name = cellFeatureNames()[i];
+    const char* name = kCellFeatureTable[i].name;
     if (!node[name]) {
       throw std::invalid_argument(std::string("a model lacks the feature ") + name);
     }
     weights.features[i] = node[name].as<double>();
+  }
+  if (node.size() != kCellFeatures + 1) {
+    throw std::invalid_argument("a model must weigh the intercept and each of the " +
+                                std::to_string(kCellFeatures) + " features once, and nothing else");
   }
   return weights;
 }
@@ -81,7 +98,7 @@ BeliefModel::Expert parseExpert(const YAML::Node& node) {
 void write(std::ostream& out, const char* name, const BeliefModel::Weights& weights) {
   out << "  " << name << ":\n    intercept: " << weights.intercept << '\n';
   for (std::size_t i = 0; i < kCellFeatures; ++i) {
-    out << "    " << cellFeatureNames()[i] << ": " << weights.features[i] << '\n';
+    out << "    " << kCellFeatureTable[i].name << ": " << weights.features[i] << '\n';
   }
 }
 
@@ -136,13 +153,14 @@ StyleShares BeliefModel::shares(const PathStyle& style) const {
   return shares;
 }
 
-double BeliefModel::free(const std::array<float, kCellFeatures>& cell, const StyleShares& shares,
-                         bool radio) const {
+double BeliefModel::free(const FeatureVector& cell, const StyleShares& shares,
+                         bool use_radio) const {
   double free = 0.0;
   for (std::size_t i = 0; i < kDrivingStyles; ++i) {
     if (shares[i] > 0.0) {
       const Expert& expert = experts_[i];
-      free += shares[i] * logistic(score(radio ? expert.with_radio : expert.without_radio, cell));
+      free +=
+          shares[i] * logistic(score(use_radio ? expert.with_radio : expert.without_radio, cell));
     }
   }
   return free;
@@ -151,6 +169,7 @@ double BeliefModel::free(const std::array<float, kCellFeatures>& cell, const Sty
 BeliefModel parseBeliefModel(const std::string& yaml, const std::string& name) {
   try {
     const YAML::Node node = YAML::Load(yaml);
+    requireFormat(node);
     std::array<BeliefModel::Expert, kDrivingStyles> experts;
     std::transform(kDrivingStyleNames.begin(), kDrivingStyleNames.end(), experts.begin(),
                    [&](const char* style) { return parseExpert(node[style]); });
@@ -180,6 +199,7 @@ BeliefModel configuredBeliefModel(const Config::Belief& config) {
 std::string toYaml(const BeliefModel& model) {
   std::ostringstream out;
   out.precision(5);
+  out << "format: " << kBeliefModelFormat << '\n';
   for (std::size_t i = 0; i < kDrivingStyles; ++i) {
     write(out, kDrivingStyleNames[i], model.expert(static_cast<DrivingStyle>(i)));
   }

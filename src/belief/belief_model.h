@@ -4,32 +4,33 @@
 #include <array>
 #include <string>
 
-#include "belief/cell_features.h"
+#include "belief/feature_table.h"
 #include "path/path_style.h"
 #include "structure_from_wifi/config.h"
 
 namespace sfw {
 
-/// How likely a cell is free, from its features: a logistic model for each driving style,
-/// and what tells the styles apart. Immutable.
+/// Gives the probability that a cell is free from its features: one logistic model for each driving
+/// style, and the distribution of paths in each style. Immutable.
 class BeliefModel {
  public:
-  /// Rim share, axis share and logarithm of winding + 0.01: nearly normal over many drives.
+  /// Rim share, axis share and logarithm of winding + 0.01. Over many drives they are nearly
+  /// normally distributed.
   using Style = Eigen::Vector3d;
   static Style styleVector(const PathStyle& style);
 
   /// A logistic model.
   struct Weights {
     double intercept = 0.0;
-    std::array<double, kCellFeatures> features{};
+    std::array<double, kCellFeatures> features{};  ///< in the order of kCellFeatureTable
   };
 
-  /// Models for one style, and the normal distribution of the styles that they were fitted to.
+  /// Two models for one style, and the normal distribution of the paths that they were fitted to.
   struct Expert {
     Style style_mean = Style::Zero();
     Eigen::Matrix3d style_covariance = Eigen::Matrix3d::Identity();
     Weights with_radio;
-    Weights without_radio;  ///< fitted to the same cells; weighs no feature that usesRadio
+    Weights without_radio;  ///< fitted to the same cells without the features that use radio
   };
 
   /// @throw std::invalid_argument if a number is not finite or a covariance not positive definite.
@@ -39,31 +40,37 @@ class BeliefModel {
     return experts_[static_cast<std::size_t>(style)];
   }
 
-  /// How far each expert applies to a path; they sum to 1. One does all unless the style fits more.
+  /// Share of each expert in the result for a path; they sum to 1. One expert has the whole share
+  /// unless the path lies between two styles.
   StyleShares shares(const PathStyle& style) const;
 
   /// Probability that a cell is free.
-  /// @param shares  of the experts
-  /// @param radio   false: as far as path and rays tell without any signal strength
-  double free(const std::array<float, kCellFeatures>& cell, const StyleShares& shares,
-              bool radio) const;
+  /// @param shares     of the experts
+  /// @param use_radio  false: by the features of path and rays alone, without signal strength
+  double free(const FeatureVector& cell, const StyleShares& shares, bool use_radio) const;
 
  private:
   std::array<Expert, kDrivingStyles> experts_;
 };
 
+/// Number of the format that toYaml writes. A file of another format is refused, because weights of
+/// other features would give a wrong map without any error.
+constexpr int kBeliefModelFormat = 1;
+
 /// Reads a model as toYaml writes it.
 /// @param name  of the file, for messages
-/// @throw InputError naming the file and what is missing or malformed.
+/// @throw InputError with the name of the file, the part that is missing or malformed, and a
+/// remedy.
 BeliefModel parseBeliefModel(const std::string& yaml, const std::string& name);
 
+/// Writes a model in YAML, its format first.
 std::string toYaml(const BeliefModel& model);
 
-/// The model that the package ships, config/belief_model.yaml as it was when the package was built.
+/// Returns the model that the package ships: config/belief_model.yaml at the time of the build.
 BeliefModel shippedBeliefModel();
 
-/// The model that belief/model names, or the one that is shipped.
-/// @throw InputError naming its file and what is wrong with it.
+/// Reads the model that belief/model names; returns the shipped one if the setting is empty.
+/// @throw as parseBeliefModel
 BeliefModel configuredBeliefModel(const Config::Belief& config);
 
 }  // namespace sfw

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include "belief/ray_evidence.h"
 #include "belief/shortest_paths.h"
@@ -16,11 +17,8 @@ namespace {
 
 using Values = Grid<float>;
 
-/// Numbers of the features that wall losses make, and of the first of those made of them.
-constexpr std::array<std::size_t, 4> kOfWalls{11, 13, 14, 15};
-constexpr std::size_t kExplained = 26;
-
-/// Depth inside a set, positive, or distance to it, negative [m]; cut where it stops to matter.
+/// Depth of each cell inside a set [m], or minus its distance to the set outside. Both are limited,
+/// because farther away the depth no longer matters.
 Values signedDepth(const Mask& set) {
   constexpr double kDeepest = 1.2;  // [m]
   const Grid<double> to_outside = distanceTransform(complement(set));
@@ -34,63 +32,86 @@ Values signedDepth(const Mask& set) {
   return depth;
 }
 
-/// 0 for nothing, towards 1 beyond `scale`.
+/// Maps 0 to 0 and values beyond `scale` towards 1.
 float saturating(float value, float scale) { return 1.0F - std::exp(-value / scale); }
 
-/// By how much a value passes a limit. A line bent there may say more than a straight one.
-float over(float value, float limit) { return std::max(0.0F, value - limit); }
+/// Depths in sets of three sizes.
+struct DepthGrids {
+  Values small, middle, large;
 
-/// Everything that is computed for the whole grid before single cells are described.
+  CellInputs::Depths at(std::size_t i) const {
+    return {small.cells[i], middle.cells[i], large.cells[i]};
+  }
+};
+
+/// Evaluates every row of the table. The compiler sees the functions, so it can inline them.
+template <std::size_t... kRow>
+FeatureVector featuresOf(const CellInputs& cell, std::index_sequence<kRow...> /*rows*/) {
+  return {kCellFeatureTable[kRow].value(cell)...};
+}
+
+/// Computes fields over the whole grid first, and then the features of single cells.
 class CellFeatureExtractor {
  public:
-  CellFeatureExtractor(const DrivenPath& path, const std::vector<AccessPointBins>& heard,
-                       const WallField& walls, const std::atomic<bool>& stop)
+  CellFeatureExtractor(const DrivenPath& path, const std::vector<AccessPointBins>& access_points,
+                       const WallField& walls, const std::atomic<bool>& stop,
+                       const ExplainedVarianceLimits& limits)
       : stop_(stop),
         geometry_(path.cells.geometry),
-        heard_(heard),
+        access_points_(access_points),
         walls_(walls),
         distance_(distanceTransform(path.cells)),
         footprint_(geometry_),
-        disc_small_(depthOf([&] { return closed(path.cells, inCells(0.6)); })),
-        disc_middle_(depthOf([&] { return withHolesFilled(closed(path.cells, inCells(1.2))); })),
-        disc_large_(depthOf([&] { return withHolesFilled(closed(path.cells, inCells(2.4))); })),
-        square_small_(depthOf([&] { return closedWithSquare(path.cells, wholeCells(0.6)); })),
-        square_middle_(depthOf(
-            [&] { return withHolesFilled(closedWithSquare(path.cells, wholeCells(1.2))); })),
-        square_large_(depthOf(
-            [&] { return withHolesFilled(closedWithSquare(path.cells, wholeCells(2.4))); })),
-        rays_(rayEvidence(geometry_, heard, walls.ray_loss_db, stop)),
-        beside_(boxMean(walls.loss_db, wholeCells(0.2))),
-        ways_(shortestPathsFrom(path.cells, distance_, walls.loss_db, stop)),
+        disc_depth_(closedDepths(
+            path.cells,
+            [this](const Mask& set, double size_m) { return closed(set, inCells(size_m)); })),
+        square_depth_(closedDepths(path.cells,
+                                   [this](const Mask& set, double size_m) {
+                                     return closedWithSquare(set, wholeCells(size_m));
+                                   })),
+        rays_(rayEvidence(geometry_, access_points, walls.ray_loss_db, stop)),
+        strength_beside_(boxMean(walls.loss_db, wholeCells(0.2))),
+        paths_(shortestPathsFrom(path.cells, distance_, walls.loss_db, stop)),
         alignment_(axisAlignment(geometry_, path.driven, path.max_gap_m)),
-        style_(measurePathStyle(path.cells, disc_middle_, path.driven, path.max_gap_m)),
-        explained_(explainedVariance(heard, walls.ray_loss_db)) {
+        style_(measurePathStyle(path.cells, disc_depth_.middle, path.driven, path.max_gap_m)),
+        explained_variance_(explainedVariance(access_points, walls.ray_loss_db)),
+        limited_explained_variance_(
+            static_cast<float>(std::clamp(explained_variance_, limits.least, limits.most))) {
     Values covered(geometry_);
     for (std::size_t i = 0; i < distance_.cells.size(); ++i) {
       footprint_.cells[i] =
           distance_.cells[i] * geometry_.resolution() <= path.robot_radius_m ? 1 : 0;
       covered.cells[i] = static_cast<float>(footprint_.cells[i]);
     }
-    coverage_near_ = boxMean(covered, wholeCells(0.6)).cells;
-    coverage_far_ = boxMean(covered, wholeCells(1.5)).cells;
-    along_ = axisDistances(footprint_, kFarthestAlong);
+    small_coverage_ = boxMean(covered, wholeCells(0.6)).cells;
+    large_coverage_ = boxMean(covered, wholeCells(1.5)).cells;
+    axis_distances_ = axisDistances(footprint_, kFarthest);
   }
 
-  CellFeatures describe() const {
-    CellFeatures features{geometry_, {}, {}, style_, explained_};
+  CellFeatures extract() const {
+    CellFeatures features{geometry_, {}, {}, style_, explained_variance_};
     for (std::size_t i = 0; i < distance_.cells.size() && !stop_; ++i) {
       if (distance_.cells[i] * geometry_.resolution() <= kMaxDistanceToPath) {
         features.cells.push_back(i);
-        features.values.push_back(describe(i));
+        features.values.push_back(featuresOf(inputs(i), std::make_index_sequence<kCellFeatures>()));
       }
     }
     return features;
   }
 
  private:
-  static constexpr float kFarthestAlong = 3.0F;  // [m]
+  static constexpr float kFarthest = 3.0F;  // [m], of distances along axes and to access points
 
-  /// Depth in a set; it is not made any more when all shall stop.
+  /// Depths in the path closed with three sizes; holes count as enclosed in the larger two.
+  /// @param close  (set, size in metres) to the closed set
+  template <class Close>
+  DepthGrids closedDepths(const Mask& path, Close&& close) const {
+    return {depthOf([&] { return close(path, 0.6); }),
+            depthOf([&] { return withHolesFilled(close(path, 1.2)); }),
+            depthOf([&] { return withHolesFilled(close(path, 2.4)); })};
+  }
+
+  /// Depth in a set that is not made if everything shall stop.
   template <class MakeSet>
   Values depthOf(MakeSet&& make) const {
     const Mask set = stop_ ? Mask(geometry_) : make();
@@ -101,159 +122,78 @@ class CellFeatureExtractor {
   std::int64_t wholeCells(double metres) const { return std::lround(inCells(metres)); }
 
   double nearestAccessPoint(std::size_t i) const {
-    double nearest = kFarthestAlong;
+    double nearest = kFarthest;
     const Position centre = geometry_.centre(geometry_.cell(i));
-    for (const AccessPointBins& one : heard_) {
+    for (const AccessPointBins& one : access_points_) {
       nearest = std::min(nearest, (one.position - centre).norm());
     }
     return nearest;
   }
 
-  /// Distances to the footprints along the axes: the nearer side of an axis first, and the axis
-  /// with the nearest of all.
-  std::array<float, 4> sortedAlong(std::size_t i) const {
-    std::array<std::array<float, 2>, 2> axes{
-        {{along_[0].cells[i], along_[1].cells[i]}, {along_[2].cells[i], along_[3].cells[i]}}};
+  std::array<float, 4> sortedAxisDistances(std::size_t i) const {
+    std::array<std::array<float, 2>, 2> axes{{{axis_distances_[0].cells[i],  //
+                                               axis_distances_[1].cells[i]},
+                                              {axis_distances_[2].cells[i],  //
+                                               axis_distances_[3].cells[i]}}};
     for (auto& axis : axes) {
       std::sort(axis.begin(), axis.end());
     }
     std::sort(axes.begin(), axes.end());
-    return {axes[0][0] / kFarthestAlong, axes[0][1] / kFarthestAlong, axes[1][0] / kFarthestAlong,
-            axes[1][1] / kFarthestAlong};
+    return {axes[0][0] / kFarthest, axes[0][1] / kFarthest, axes[1][0] / kFarthest,
+            axes[1][1] / kFarthest};
   }
 
-  std::array<float, kCellFeatures> describe(std::size_t i) const {
-    const auto d = static_cast<float>(distance_.cells[i] * geometry_.resolution());
-    const bool seen = rays_.rays.cells[i] > 0.0F;
-    const auto access_points = static_cast<float>(std::max<std::size_t>(heard_.size(), 1));
-    const std::array<float, 4> along = sortedAlong(i);
-    const std::size_t source = ways_.source.cells[i];
-    const float line_of_sight = seen ? std::exp(-rays_.least_loss.cells[i] / 4.0F) : 0.0F;
-    const float wall_strength = saturating(walls_.loss_db.cells[i], 1.5F);
-    const float wall_beside = saturating(beside_.cells[i], 1.5F);
-    const float way_around = saturating(std::max(0.0F, ways_.cost.cells[i] - d), 0.5F);
-    const auto explained = static_cast<float>(explained_);
-    return {std::exp(-d / 0.1F),
-            d,
-            std::exp(-d / 0.4F),
-            disc_small_.cells[i],
-            disc_middle_.cells[i],
-            disc_large_.cells[i],
-            square_small_.cells[i],
-            square_middle_.cells[i],
-            square_large_.cells[i],
-            std::min(std::log2(1.0F + rays_.rays.cells[i]), 6.0F) / 6.0F,
-            rays_.access_points.cells[i] / access_points,
-            line_of_sight,
-            std::exp(-static_cast<float>(nearestAccessPoint(i))),
-            wall_strength,
-            wall_beside,
-            way_around,
-            along[0],
-            along[1],
-            along[2],
-            along[3],
-            coverage_near_[i],
-            coverage_far_[i],
-            alignment_.cells[source],
-            disc_small_.cells[source],
-            disc_middle_.cells[source],
-            disc_large_.cells[source],
-            explained,
-            explained * line_of_sight,
-            explained * wall_strength,
-            explained * wall_beside,
-            explained * way_around,
-            over(line_of_sight, 0.1F),
-            over(line_of_sight, 0.4F),
-            over(wall_strength, 0.1F),
-            over(wall_beside, 0.02F),
-            over(wall_beside, 0.1F),
-            over(way_around, 0.1F),
-            over(way_around, 0.25F)};
+  CellInputs inputs(std::size_t i) const {
+    const auto distance_m = static_cast<float>(distance_.cells[i] * geometry_.resolution());
+    const std::size_t source = paths_.source.cells[i];
+    const bool has_rays = rays_.rays.cells[i] > 0.0F;
+    CellInputs cell;
+    cell.path_distance_m = distance_m;
+    cell.disc_depth_m = disc_depth_.at(i);
+    cell.square_depth_m = square_depth_.at(i);
+    cell.rays = rays_.rays.cells[i];
+    cell.access_point_share = rays_.access_points.cells[i] /
+                              static_cast<float>(std::max<std::size_t>(access_points_.size(), 1));
+    cell.access_point_distance_m = static_cast<float>(nearestAccessPoint(i));
+    cell.line_of_sight = has_rays ? std::exp(-rays_.least_loss.cells[i] / 4.0F) : 0.0F;
+    cell.wall_strength = saturating(walls_.loss_db.cells[i], 1.5F);
+    cell.wall_beside = saturating(strength_beside_.cells[i], 1.5F);
+    cell.way_around = saturating(std::max(0.0F, paths_.cost.cells[i] - distance_m), 0.5F);
+    cell.axis_distances = sortedAxisDistances(i);
+    cell.small_coverage = small_coverage_[i];
+    cell.large_coverage = large_coverage_[i];
+    cell.source_alignment = alignment_.cells[source];
+    cell.source_depth_m = disc_depth_.at(source);
+    cell.explained_variance = limited_explained_variance_;
+    return cell;
   }
 
   const std::atomic<bool>& stop_;
   const GridGeometry& geometry_;
-  const std::vector<AccessPointBins>& heard_;
+  const std::vector<AccessPointBins>& access_points_;
   const WallField& walls_;
   Grid<double> distance_;  // to the path, in cells
   Mask footprint_;
-  Values disc_small_, disc_middle_, disc_large_, square_small_, square_middle_, square_large_;
+  DepthGrids disc_depth_, square_depth_;
   RayEvidence rays_;
-  Values beside_;  // mean wall strength around
-  ShortestPaths ways_;
+  Values strength_beside_;  // mean wall strength around
+  ShortestPaths paths_;
   Values alignment_;
   PathStyle style_;
-  double explained_;  // share of the signals that walls explain
-  std::vector<float> coverage_near_, coverage_far_;
-  std::array<Values, 4> along_{Values(geometry_), Values(geometry_), Values(geometry_),
-                               Values(geometry_)};
+  double explained_variance_;
+  float limited_explained_variance_;
+  std::vector<float> small_coverage_, large_coverage_;
+  std::array<Values, 4> axis_distances_{Values(geometry_), Values(geometry_), Values(geometry_),
+                                        Values(geometry_)};
 };
 
 }  // namespace
 
-const std::array<const char*, kCellFeatures>& cellFeatureNames() {
-  static constexpr std::array<const char*, kCellFeatures> kNames{"path_close",
-                                                                 "path_distance",
-                                                                 "path_near",
-                                                                 "depth_disc_0.6",
-                                                                 "depth_disc_1.2",
-                                                                 "depth_disc_2.4",
-                                                                 "depth_square_0.6",
-                                                                 "depth_square_1.2",
-                                                                 "depth_square_2.4",
-                                                                 "rays",
-                                                                 "access_points",
-                                                                 "line_of_sight",
-                                                                 "access_point_near",
-                                                                 "wall_strength",
-                                                                 "wall_beside",
-                                                                 "way_around",
-                                                                 "nearest_along",
-                                                                 "opposite_along",
-                                                                 "nearest_across",
-                                                                 "opposite_across",
-                                                                 "coverage_0.6",
-                                                                 "coverage_1.5",
-                                                                 "source_alignment",
-                                                                 "source_depth_0.6",
-                                                                 "source_depth_1.2",
-                                                                 "source_depth_2.4",
-                                                                 "explained",
-                                                                 "explained_line_of_sight",
-                                                                 "explained_wall_strength",
-                                                                 "explained_wall_beside",
-                                                                 "explained_way_around",
-                                                                 "line_of_sight_over_0.1",
-                                                                 "line_of_sight_over_0.4",
-                                                                 "wall_strength_over_0.1",
-                                                                 "wall_beside_over_0.02",
-                                                                 "wall_beside_over_0.1",
-                                                                 "way_around_over_0.1",
-                                                                 "way_around_over_0.25"};
-  return kNames;
-}
-
-bool usesRadio(std::size_t feature) {
-  return feature >= kExplained ||
-         std::find(kOfWalls.begin(), kOfWalls.end(), feature) != kOfWalls.end();
-}
-
-CellFeatures extractCellFeatures(const DrivenPath& path, const std::vector<AccessPointBins>& heard,
-                                 const WallField& walls, const std::atomic<bool>& stop) {
-  return CellFeatureExtractor(path, heard, walls, stop).describe();
-}
-
-void clampExplainedVariance(double least, double most, CellFeatures& features) {
-  features.explained = std::clamp(features.explained, least, most);
-  const auto explained = static_cast<float>(features.explained);
-  for (std::array<float, kCellFeatures>& cell : features.values) {
-    cell[kExplained] = explained;
-    for (std::size_t i = 0; i < kOfWalls.size(); ++i) {
-      cell[kExplained + 1 + i] = explained * cell[kOfWalls[i]];
-    }
-  }
+CellFeatures extractCellFeatures(const DrivenPath& path,
+                                 const std::vector<AccessPointBins>& access_points,
+                                 const WallField& walls, const std::atomic<bool>& stop,
+                                 const ExplainedVarianceLimits& limits) {
+  return CellFeatureExtractor(path, access_points, walls, stop, limits).extract();
 }
 
 }  // namespace sfw

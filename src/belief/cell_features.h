@@ -1,35 +1,28 @@
 #pragma once
 
-#include <array>
 #include <atomic>
 #include <cstddef>
 #include <vector>
 
+#include "belief/feature_table.h"
+#include "grid/mask.h"
 #include "path/path_style.h"
 #include "radio/radio_bins.h"
 #include "tomography/wall_field.h"
 
 namespace sfw {
 
-constexpr std::size_t kCellFeatures = 38;
-
-/// Names of the features in the order of a model file (doc/method/belief.md explains them).
-const std::array<const char*, kCellFeatures>& cellFeatureNames();
-
-/// Whether a feature depends on signal strength; all others are geometry of path and rays.
-bool usesRadio(std::size_t feature);
-
-/// Farthest from the path that a cell is judged [m].
+/// Only cells within this distance of the path are described [m].
 constexpr double kMaxDistanceToPath = 3.0;
 
-/// What the path, the rays and the radio say of single cells: the input of a belief model. Values
-/// are of order one; none depends on which way round the building's axes lie.
+/// Features of the cells near a path: the input of a belief model. They do not depend on which of
+/// the building's axes is called x.
 struct CellFeatures {
-  GridGeometry geometry;           ///< building frame
-  std::vector<std::size_t> cells;  ///< indices of those within kMaxDistanceToPath of the path
-  std::vector<std::array<float, kCellFeatures>> values;  ///< of each of `cells`
+  GridGeometry geometry;              ///< building frame
+  std::vector<std::size_t> cells;     ///< indices of those within kMaxDistanceToPath of the path
+  std::vector<FeatureVector> values;  ///< of each of `cells`
   PathStyle style;
-  double explained = 0.0;  ///< as explainedVariance
+  double explained_variance = 0.0;  ///< as explainedVariance, without limits
 };
 
 /// A path in the building frame.
@@ -40,13 +33,18 @@ struct DrivenPath {
   double robot_radius_m = 0.15;
 };
 
-/// Describes every cell near a path.
+/// Limits of the explained variance that enters features. The default changes nothing.
+struct ExplainedVarianceLimits {
+  double least = 0.0;
+  double most = 1.0;
+};
+
+/// Extracts the features of every cell near a path.
 /// @param stop  polled; when it turns true the result is incomplete
 /// O(cells log cells + cells crossed by rays).
-CellFeatures extractCellFeatures(const DrivenPath& path, const std::vector<AccessPointBins>& heard,
-                                 const WallField& walls, const std::atomic<bool>& stop);
-
-/// Cuts the share that walls explain, and the features that it weighs.
-void clampExplainedVariance(double least, double most, CellFeatures& features);
+CellFeatures extractCellFeatures(const DrivenPath& path,
+                                 const std::vector<AccessPointBins>& access_points,
+                                 const WallField& walls, const std::atomic<bool>& stop,
+                                 const ExplainedVarianceLimits& limits = {});
 
 }  // namespace sfw

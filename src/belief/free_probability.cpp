@@ -50,10 +50,11 @@ void straighten(const std::vector<std::size_t>& cells, Grid<float>& log_odds) {
 }
 
 Grid<float> freeProbability(const CellFeatures& described, const BeliefModel& model,
-                            const StyleShares& style, bool radio) {
+                            const StyleShares& style, bool use_radio) {
   Grid<float> free(described.geometry);
   for (std::size_t i = 0; i < described.cells.size(); ++i) {
-    free.cells[described.cells[i]] = limitedLogOdds(model.free(described.values[i], style, radio));
+    free.cells[described.cells[i]] =
+        limitedLogOdds(model.free(described.values[i], style, use_radio));
   }
   straighten(described.cells, free);
   for (const std::size_t i : described.cells) {

@@ -8,7 +8,7 @@
 
 namespace sfw {
 
-/// How many rays pass through each cell, from how many access points, and the least loss on any.
+/// Number of rays through each cell, number of their access points, and their least loss.
 struct RayEvidence {
   explicit RayEvidence(const GridGeometry& geometry)
       : rays(geometry), access_points(geometry), least_loss(geometry, kUnseen) {}
@@ -20,12 +20,13 @@ struct RayEvidence {
   Grid<float> least_loss;  ///< [dB]; kUnseen where no ray passes
 };
 
-/// Follows the ray to each bin.
-/// @param losses  on the ray to each bin of each access point [dB]
+/// Follows the ray from each access point to each of its bins.
+/// @param ray_loss_db  on the ray to each bin of each access point
 /// @param stop    polled; when it turns true the result is incomplete
 /// O(cells crossed by rays).
-RayEvidence rayEvidence(const GridGeometry& geometry, const std::vector<AccessPointBins>& heard,
-                        const std::vector<std::vector<double>>& losses,
+RayEvidence rayEvidence(const GridGeometry& geometry,
+                        const std::vector<AccessPointBins>& access_points,
+                        const std::vector<std::vector<double>>& ray_loss_db,
                         const std::atomic<bool>& stop);
 
 }  // namespace sfw

@@ -44,7 +44,7 @@ TomographySummary summaryOf(FusedBelief&& fused) {
           toYawSource(fused.frame.source),
           {shareOf(DrivingStyle::kAlongWalls), shareOf(DrivingStyle::kPatrol),
            shareOf(DrivingStyle::kStroll)},
-          fused.explained};
+          fused.explained_variance};
 }
 
 /// Line-field tomography and the fused belief (doc/method/walls.md, doc/method/belief.md).
@@ -62,7 +62,7 @@ class TomographyMethod : public MapMethod {
       const std::vector<Sample>& samples = inliers.readings[i].samples;
       if (hasPosition(access_points[i]) && !samples.empty()) {
         const AccessPoint& access_point = access_points[i].access_point;
-        drive.heard.push_back({access_point.position, access_point.height_m, samples});
+        drive.access_points.push_back({access_point.position, access_point.height_m, samples});
         used.push_back(i);
       }
     }
@@ -71,7 +71,7 @@ class TomographyMethod : public MapMethod {
     MethodResult result{std::move(fused.occupied)};
     result.walls.resize(access_points.size());
     for (std::size_t i = 0; i < used.size(); ++i) {
-      result.walls[used[i]] = wallsOf(fused.sample_loss[i]);
+      result.walls[used[i]] = wallsOf(fused.sample_loss_db[i]);
     }
     result.tomography = summaryOf(std::move(fused));
     return result;

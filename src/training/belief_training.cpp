@@ -9,7 +9,7 @@
 
 #include "base/random.h"
 #include "base/random_streams.h"
-#include "belief/fused_belief.h"
+#include "belief/drive_features.h"
 
 namespace sfw {
 namespace {
@@ -20,8 +20,8 @@ using Matrix = Eigen::Matrix<double, kSize, kSize>;
 using Cells = Eigen::Matrix<double, kSize, Eigen::Dynamic>;
 using FreeCells = Eigen::Array<std::uint8_t, Eigen::Dynamic, 1>;
 
-/// A drive and how much it counts.
-struct Weighed {
+/// A drive and its weight in a fit.
+struct WeightedDrive {
   const TrainingCells* drive;
   double weight;
 };
@@ -31,11 +31,11 @@ struct Scale {
   std::array<double, kCellFeatures> deviation{};
 };
 
-Scale scaleOf(const std::vector<Weighed>& training) {
+Scale scaleOf(const std::vector<WeightedDrive>& training) {
   Scale scale;
   double count = 0.0;
   std::array<double, kCellFeatures> squares{};
-  for (const Weighed& one : training) {
+  for (const WeightedDrive& one : training) {
     for (const auto& cell : one.drive->cells) {
       for (std::size_t i = 0; i < kCellFeatures; ++i) {
         const auto value = static_cast<double>(cell[i]);
@@ -53,15 +53,15 @@ Scale scaleOf(const std::vector<Weighed>& training) {
   return scale;
 }
 
-/// Some cells, each a column with a one as its last element.
+/// Standardises some cells. Each becomes a column with a one as its last element.
 Cells standardised(const TrainingCells& drive, std::size_t from, std::size_t count,
-                   const Scale& scale, bool radio) {
+                   const Scale& scale, bool use_radio) {
   Cells cells = Cells::Zero(kSize, static_cast<Eigen::Index>(count));
   for (std::size_t j = 0; j < count; ++j) {
-    const std::array<float, kCellFeatures>& cell = drive.cells[from + j];
+    const FeatureVector& cell = drive.cells[from + j];
     const auto column = static_cast<Eigen::Index>(j);
     for (std::size_t i = 0; i < kCellFeatures; ++i) {
-      if (radio || !usesRadio(i)) {
+      if (use_radio || !kCellFeatureTable[i].uses_radio) {
         cells(static_cast<Eigen::Index>(i), column) =
             (static_cast<double>(cell[i]) - scale.mean[i]) / scale.deviation[i];
       }
@@ -71,43 +71,43 @@ Cells standardised(const TrainingCells& drive, std::size_t from, std::size_t cou
   return cells;
 }
 
-/// Gradient and curvature of minus the log likelihood.
-struct Slope {
+/// First and second derivatives of minus the log likelihood.
+struct Derivatives {
   Vector gradient;
   Matrix curvature;
 };
 
-void addCells(const Weighed& one, const Scale& scale, bool radio, const Vector& weights,
-              Slope& slope) {
+void addCells(const WeightedDrive& one, const Scale& scale, bool use_radio, const Vector& weights,
+              Derivatives& derivatives) {
   constexpr std::size_t kBlock = 1000;  // cells at once: products of matrices are fast
   const TrainingCells& drive = *one.drive;
   for (std::size_t from = 0; from < drive.cells.size(); from += kBlock) {
     const std::size_t count = std::min(kBlock, drive.cells.size() - from);
-    const Cells cells = standardised(drive, from, count, scale, radio);
+    const Cells cells = standardised(drive, from, count, scale, use_radio);
     const Eigen::ArrayXd p = (1.0 + (-(cells.transpose() * weights).array()).exp()).inverse();
     const Eigen::Map<const FreeCells> free(drive.free.data() + from,
                                            static_cast<Eigen::Index>(count));
-    slope.gradient += cells * (one.weight * (p - free.cast<double>())).matrix();
-    slope.curvature +=
+    derivatives.gradient += cells * (one.weight * (p - free.cast<double>())).matrix();
+    derivatives.curvature +=
         cells * (one.weight * p * (1.0 - p)).matrix().asDiagonal() * cells.transpose();
   }
 }
 
-/// The penalised maximum of likelihood. The penalty matters little to hundreds of thousands of
-/// cells, but features that nearly repeat each other share a weight instead of opposing it.
-BeliefModel::Weights regression(const std::vector<Weighed>& training, const Scale& scale,
-                                bool radio) {
+/// Maximises the penalised likelihood. The penalty matters little to hundreds of thousands of
+/// cells, but it keeps nearly equal features from large opposite weights.
+BeliefModel::Weights regression(const std::vector<WeightedDrive>& training, const Scale& scale,
+                                bool use_radio) {
   constexpr int kIterations = 12;
   constexpr double kRidge = 100.0;
   Vector penalty = Vector::Constant(kRidge);
   penalty[kSize - 1] = 0.0;  // the intercept's
   Vector weights = Vector::Zero();
   for (int iteration = 0; iteration < kIterations; ++iteration) {
-    Slope slope{penalty.cwiseProduct(weights), penalty.asDiagonal()};
-    for (const Weighed& one : training) {
-      addCells(one, scale, radio, weights, slope);
+    Derivatives derivatives{penalty.cwiseProduct(weights), penalty.asDiagonal()};
+    for (const WeightedDrive& one : training) {
+      addCells(one, scale, use_radio, weights, derivatives);
     }
-    weights -= slope.curvature.ldlt().solve(slope.gradient);
+    weights -= derivatives.curvature.ldlt().solve(derivatives.gradient);
   }
   BeliefModel::Weights result;
   result.intercept = weights[kSize - 1];
@@ -118,7 +118,7 @@ BeliefModel::Weights regression(const std::vector<Weighed>& training, const Scal
   return result;
 }
 
-/// An expert that knows only which style it is for.
+/// Fits the distribution of one style and leaves the weights at zero.
 BeliefModel::Expert expertFor(DrivingStyle style, const std::vector<TrainingCells>& drives) {
   std::vector<BeliefModel::Style> styles;
   for (const TrainingCells& drive : drives) {
@@ -144,43 +144,43 @@ BeliefModel::Expert expertFor(DrivingStyle style, const std::vector<TrainingCell
   return expert;
 }
 
-DriveData asMapped(const TrainingDrive& drive) {
-  DriveData mapped;
+DriveData toDriveData(const TrainingDrive& drive) {
+  DriveData data;
   std::map<Bssid, std::size_t> index;
   for (const AccessPoint& one : drive.access_points) {
-    index[one.bssid] = mapped.heard.size();
-    mapped.heard.push_back({one.position, one.height_m, {}});
+    index[one.bssid] = data.access_points.size();
+    data.access_points.push_back({one.position, one.height_m, {}});
   }
   for (const Reading& reading : drive.readings) {
-    mapped.heard[index.at(reading.bssid)].samples.push_back(
+    data.access_points[index.at(reading.bssid)].samples.push_back(
         {reading.antenna_in_map, reading.rssi_dbm});
-    if (mapped.path.empty() || mapped.path.back() != reading.antenna_in_map) {
-      mapped.path.push_back(reading.antenna_in_map);
+    if (data.path.empty() || data.path.back() != reading.antenna_in_map) {
+      data.path.push_back(reading.antenna_in_map);
     }
   }
-  return mapped;
+  return data;
 }
 
 }  // namespace
 
-TrainingCells cellsOf(const TrainingDrive& drive, const Config& config, std::size_t count,
-                      std::int64_t seed) {
+TrainingCells drawTrainingCells(const TrainingDrive& drive, const Config& config, std::size_t count,
+                                std::int64_t seed) {
   const std::atomic<bool> never{false};
-  const DriveFeatures described = extractDriveFeatures(asMapped(drive), config, never);
-  const GridGeometry& geometry = described.cells.geometry;
+  const DriveFeatures features = extractDriveFeatures(toDriveData(drive), config, never);
+  const GridGeometry& geometry = features.cells.geometry;
   Random random(seed, streamOf(Purpose::kTrainingCells), 0);
   const double share =
-      static_cast<double>(count) / static_cast<double>(described.cells.cells.size());
-  TrainingCells training{drive.style, described.cells.style, {}, {}};
-  for (std::size_t i = 0; i < described.cells.cells.size(); ++i) {
+      static_cast<double>(count) / static_cast<double>(features.cells.cells.size());
+  TrainingCells training{drive.style, features.cells.style, {}, {}};
+  for (std::size_t i = 0; i < features.cells.cells.size(); ++i) {
     if (random.uniform() > share) {
       continue;
     }
-    const Position place =
-        described.frame.toMap(geometry.centre(geometry.cell(described.cells.cells[i])));
-    const Cell c = drive.truth.geometry.cellAt(place);
+    const Position position =
+        features.frame.toMap(geometry.centre(geometry.cell(features.cells.cells[i])));
+    const Cell c = drive.truth.geometry.cellAt(position);
     const bool free = drive.truth.geometry.contains(c) && drive.truth[c] == CellState::kFree;
-    training.cells.push_back(described.cells.values[i]);
+    training.cells.push_back(features.cells.values[i]);
     training.free.push_back(free ? 1 : 0);
   }
   return training;
@@ -198,7 +198,7 @@ BeliefModel fitBeliefModel(const std::vector<TrainingCells>& drives) {
   }
   const BeliefModel styles(experts);
   for (std::size_t i = 0; i < kDrivingStyles; ++i) {
-    std::vector<Weighed> training;
+    std::vector<WeightedDrive> training;
     for (const TrainingCells& drive : drives) {
       const double share = styles.shares(drive.style)[i];
       if (share > 0.0) {

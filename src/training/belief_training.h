@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -10,23 +9,26 @@
 
 namespace sfw {
 
-/// Cells of known state, of one drive.
+/// Labelled cells of one drive.
 struct TrainingCells {
-  DrivingStyle made = DrivingStyle::kAlongWalls;  ///< the style that the drive was made in
-  PathStyle style;                                ///< what it looks like
-  std::vector<std::array<float, kCellFeatures>> cells;
-  std::vector<std::uint8_t> free;  ///< 1 if so, for each cell
+  DrivingStyle made = DrivingStyle::kAlongWalls;  ///< style in which the drive was simulated
+  PathStyle style;                                ///< style as measured on the path
+  std::vector<FeatureVector> cells;
+  std::vector<std::uint8_t> free;  ///< for each cell: 1 if it is free, else 0
 };
 
-/// Cells of a drive: about `count` of those that extractCellFeatures describes, chosen by the seed.
+/// Draws about `count` of the described cells of a drive at random.
 /// @throw as extractDriveFeatures
-TrainingCells cellsOf(const TrainingDrive& drive, const Config& config, std::size_t count,
-                      std::int64_t seed);
+TrainingCells drawTrainingCells(const TrainingDrive& drive, const Config& config, std::size_t count,
+                                std::int64_t seed);
 
-/// Fits the distribution of each style to the drives made in it, and each expert to all drives by
-/// the share that it then has in them: a stretch along walls may look like a patrol, and the expert
-/// of patrols has to reckon with it. Logistic regression with a ridge of a hundred on standardised
-/// features, by Newton's method. Deterministic. O(cells) for each iteration.
+/// Fits a belief model to labelled cells.
+///
+/// The distribution of each style is fitted to the drives simulated in it. Each expert is then
+/// fitted to all drives, weighted by its share in them: a stretch along walls may look like a
+/// patrol, so the expert of patrols must know such stretches too. The fit is a logistic regression
+/// with a ridge of 100 on standardised features, by Newton's method. Deterministic. O(cells) for
+/// each iteration.
 /// @throw std::invalid_argument if a style has fewer than five drives, or cells and their states
 ///        differ in number.
 BeliefModel fitBeliefModel(const std::vector<TrainingCells>& drives);

@@ -30,8 +30,8 @@ BeliefModel modelWith(const BeliefModel::Expert& along_walls) {
   return BeliefModel({along_walls, expertFor(kPatrolling), expertFor(kStrolling)});
 }
 
-std::array<float, kCellFeatures> cellWith(std::size_t feature, float value) {
-  std::array<float, kCellFeatures> cell{};
+FeatureVector cellWith(std::size_t feature, float value) {
+  FeatureVector cell{};
   cell[feature] = value;
   return cell;
 }
@@ -102,8 +102,38 @@ TEST(BeliefModel, NamesTheFileAndWhatItLacks) {
   }
 }
 
+std::string errorOf(const std::string& yaml) {
+  try {
+    parseBeliefModel(yaml, "bad.yaml");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(BeliefModel, RefusesAnotherFormatAndNamesARemedy) {
+  const std::string good = toYaml(modelWith(expertFor(kWallFollower)));
+  ASSERT_EQ(good.find("format: 1\n"), 0U);
+  EXPECT_EQ(errorOf(good), "");
+  const std::string other = "format: 2" + good.substr(good.find('\n'));
+  const std::string none = good.substr(good.find('\n') + 1);
+  for (const std::string& error : {errorOf(other), errorOf(none)}) {
+    EXPECT_NE(error.find("this version reads format 1"), std::string::npos) << error;
+    EXPECT_NE(error.find("sfw fit"), std::string::npos) << error;
+  }
+  EXPECT_NE(errorOf(other).find("has format 2"), std::string::npos) << errorOf(other);
+  EXPECT_NE(errorOf(none).find("has no key format"), std::string::npos) << errorOf(none);
+  EXPECT_NE(errorOf("format: new" + good.substr(good.find('\n'))), "");
+}
+
+TEST(BeliefModel, RefusesAFeatureThatItDoesNotKnow) {
+  std::string more = toYaml(modelWith(expertFor(kWallFollower)));
+  more.insert(more.find("    rays: "), "    rain: 1\n");
+  EXPECT_NE(errorOf(more).find("nothing else"), std::string::npos) << errorOf(more);
+}
+
 /// Where walls take `wall` of what signals can lose, and `sight` of them is left.
-std::array<float, kCellFeatures> cellHeard(float wall, float sight) {
+FeatureVector cellHeard(float wall, float sight) {
   constexpr float kExplained = 0.6F;
   std::map<std::string, float> values{{"line_of_sight", sight},
                                       {"wall_strength", wall},
@@ -120,9 +150,9 @@ std::array<float, kCellFeatures> cellHeard(float wall, float sight) {
   bend("wall_strength_over_0.1", wall, 0.1F);
   bend("wall_beside_over_0.02", wall, 0.02F);
   bend("wall_beside_over_0.1", wall, 0.1F);
-  std::array<float, kCellFeatures> cell{};
+  FeatureVector cell{};
   for (std::size_t i = 0; i < kCellFeatures; ++i) {
-    const auto found = values.find(cellFeatureNames()[i]);
+    const auto found = values.find(kCellFeatureTable[i].name);
     cell[i] = found != values.end() ? found->second : 0.0F;
   }
   return cell;
@@ -146,8 +176,8 @@ TEST(BeliefModel, IsShippedAndTakesWallsForWalls) {
     EXPECT_LT(free(0.05F, 0.4F), free(0.05F, 0.9F));
     const BeliefModel::Expert& expert = model.expert(static_cast<DrivingStyle>(style));
     for (std::size_t i = 0; i < kCellFeatures; ++i) {
-      if (usesRadio(i)) {
-        EXPECT_EQ(expert.without_radio.features[i], 0.0) << cellFeatureNames()[i];
+      if (kCellFeatureTable[i].uses_radio) {
+        EXPECT_EQ(expert.without_radio.features[i], 0.0) << kCellFeatureTable[i].name;
       }
     }
   }

@@ -2,57 +2,58 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <set>
 #include <string>
 
-namespace sfw {
+#include "support/feature_scene.h"
+
+namespace sfw::test {
 namespace {
 
-std::size_t numberOf(const std::string& name) {
-  const auto& names = cellFeatureNames();
-  return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+bool usesRadio(const std::string& name) {
+  for (const CellFeature& feature : kCellFeatureTable) {
+    if (feature.name == name) {
+      return feature.uses_radio;
+    }
+  }
+  throw std::invalid_argument(name);
 }
 
 TEST(CellFeatures, HaveANameEach) {
-  const auto& names = cellFeatureNames();
-  EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), kCellFeatures);
+  std::set<std::string> names;
+  for (const CellFeature& feature : kCellFeatureTable) {
+    names.insert(feature.name);
+  }
+  EXPECT_EQ(names.size(), kCellFeatures);
+}
+
+TEST(CellFeatures, UseTheRadioIfTheyChangeWithTheSignalsAlone) {
+  // The same drive twice; walls and losses differ, as they would for other signals.
+  const Picture path{"#######", ".......", "......."};
+  FeatureScene scene{path, 0.2, Picture(3, "0000000")};
+  scene.access_points = {accessPointAt(scene, {0, 1}, std::vector<Cell>(12, {6, 1}))};
+  scene.ray_loss_db = {std::vector<double>(12, 0.0)};
+  const CellFeatures before = described(scene);
+  scene.wall_db = Picture(3, "3333333");
+  scene.ray_loss_db = {{9, 8, 7, 6, 5, 4, 3, 2, 2, 2, 2, 2}};
+  const ExplainedVarianceLimits limits{0.5, 0.7};
+  const CellFeatures after = described(scene, limits);
+  for (const CellFeature& feature : kCellFeatureTable) {
+    EXPECT_EQ(featureOf(before, feature.name).cells != featureOf(after, feature.name).cells,
+              feature.uses_radio)
+        << feature.name;
+  }
 }
 
 TEST(CellFeatures, OfTheRadioAreAllThatWallLossesMake) {
   for (const char* name : {"line_of_sight", "wall_strength", "wall_beside", "way_around",
                            "explained", "explained_way_around", "way_around_over_0.25"}) {
-    EXPECT_TRUE(usesRadio(numberOf(name))) << name;
+    EXPECT_TRUE(usesRadio(name)) << name;
   }
   for (const char* name : {"path_distance", "rays", "access_points", "source_depth_2.4"}) {
-    EXPECT_FALSE(usesRadio(numberOf(name))) << name;
+    EXPECT_FALSE(usesRadio(name)) << name;
   }
-}
-
-CellFeatures oneCell(double explained) {
-  CellFeatures features{GridGeometry(0.1, {0.0, 0.0}, 1, 1), {0}, {{}}, {}, explained};
-  auto& cell = features.values.front();
-  cell[numberOf("path_distance")] = 2.0F;
-  cell[numberOf("explained")] = static_cast<float>(explained);
-  for (const std::string name : {"line_of_sight", "wall_strength", "wall_beside", "way_around"}) {
-    cell[numberOf(name)] = 0.5F;
-    cell[numberOf("explained_" + name)] = 0.5F * static_cast<float>(explained);
-  }
-  return features;
-}
-
-TEST(CellFeatures, CutExplainedGivesTheCellsOfADriveAtTheLimit) {
-  CellFeatures features = oneCell(0.9);
-  clampExplainedVariance(0.4, 0.75, features);
-  EXPECT_EQ(features.explained, 0.75);
-  EXPECT_EQ(features.values, oneCell(0.75).values);
-  features = oneCell(0.5);
-  clampExplainedVariance(0.4, 0.75, features);
-  EXPECT_EQ(features.values, oneCell(0.5).values);
-  features = oneCell(0.0);
-  clampExplainedVariance(0.5, 0.75, features);
-  EXPECT_EQ(features.values, oneCell(0.5).values);
 }
 
 }  // namespace
-}  // namespace sfw
+}  // namespace sfw::test

@@ -104,7 +104,8 @@ TEST(FeatureSymmetry, EveryFeatureTurnsAndMirrorsWithTheWorld) {
   for (const Move& move : allMoves()) {
     const CellFeatures there = describedAfter(move);
     ASSERT_EQ(here.cells.size(), there.cells.size());
-    for (const char* name : cellFeatureNames()) {
+    for (const CellFeature& feature : kCellFeatureTable) {
+      const char* const name = feature.name;
       const Grid<float> before = featureOf(here, name);
       const Grid<float> after = featureOf(there, name);
       for (const std::size_t i : here.cells) {
@@ -121,7 +122,8 @@ TEST(FeatureSymmetry, EveryFeatureTurnsAndMirrorsWithTheWorld) {
 TEST(FeatureSymmetry, EveryFeatureDiffersBetweenCellsOfTheScene) {
   // Otherwise the test above would say nothing about it.
   const CellFeatures features = describedAfter(unmoved);
-  for (const std::string name : cellFeatureNames()) {
+  for (const CellFeature& feature : kCellFeatureTable) {
+    const std::string name = feature.name;
     const Grid<float> all = featureOf(features, name);
     float least = 1e9F;
     float most = -1e9F;

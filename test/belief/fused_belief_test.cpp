@@ -217,13 +217,13 @@ TEST(ShippedBelief, IsCalibratedOnDrivesThatItWasNotFittedTo) {
     }
     DriveData mapped;
     for (const AccessPoint& one : drive->access_points) {
-      mapped.heard.push_back({one.position, one.height_m, {}});
+      mapped.access_points.push_back({one.position, one.height_m, {}});
     }
     for (const Reading& reading : drive->readings) {
       mapped.path.push_back(reading.antenna_in_map);
-      for (std::size_t j = 0; j < mapped.heard.size(); ++j) {
+      for (std::size_t j = 0; j < mapped.access_points.size(); ++j) {
         if (drive->access_points[j].bssid == reading.bssid) {
-          mapped.heard[j].samples.push_back({reading.antenna_in_map, reading.rssi_dbm});
+          mapped.access_points[j].samples.push_back({reading.antenna_in_map, reading.rssi_dbm});
         }
       }
     }

@@ -203,7 +203,7 @@ FeatureScene halfExplained() {
 
 TEST(RadioFeatures, ExplainedIsTheShareThatWallsExplain) {
   const FeatureScene scene = halfExplained();
-  EXPECT_NEAR(described(scene).explained, 0.5, 1e-6);
+  EXPECT_NEAR(described(scene).explained_variance, 0.5, 1e-6);
   expectTable(featureOf(scene, "explained"), Table(7, std::vector<double>(7, 0.5)), 1e-6);
 }
 
@@ -216,6 +216,20 @@ TEST(RadioFeatures, ExplainedTimesAFeatureIsTheirProduct) {
               kByHand);
   // 0.2 m of 3 dB: 1.2 m more.
   EXPECT_NEAR(featureAtX(scene, "explained_way_around"), 0.5 * (1 - std::exp(-1.2 / 0.5)), kByHand);
+}
+
+TEST(RadioFeatures, ExplainedStaysWithinItsLimits) {
+  const FeatureScene scene = halfExplained();
+  const auto explained = [&](const CellFeatures& features, const char* name) {
+    return featureOf(features, name)[Cell{3, 3}];
+  };
+  const CellFeatures at_least = described(scene, {0.6, 0.7});
+  EXPECT_NEAR(explained(at_least, "explained"), 0.6, kByHand);
+  EXPECT_NEAR(explained(at_least, "explained_line_of_sight"), 0.6 * std::exp(-1.0), kByHand);
+  EXPECT_NEAR(at_least.explained_variance, 0.5, 1e-6) << "as found, for reports";
+  const CellFeatures at_most = described(scene, {0.1, 0.3});
+  EXPECT_NEAR(explained(at_most, "explained"), 0.3, kByHand);
+  EXPECT_NEAR(explained(at_most, "explained_way_around"), 0.3 * (1 - std::exp(-2.4)), kByHand);
 }
 
 }  // namespace

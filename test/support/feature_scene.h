@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cctype>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <stdexcept>
@@ -73,7 +74,8 @@ inline std::vector<Position> drivenIn(const FeatureScene& scene) {
   return letters.empty() ? others : letters;
 }
 
-inline CellFeatures described(const FeatureScene& scene) {
+inline CellFeatures described(const FeatureScene& scene,
+                              const ExplainedVarianceLimits& limits = {}) {
   const Mask path = gridFrom<std::uint8_t>(
       scene.path, scene.resolution_m,
       [](char c) -> std::uint8_t { return c == '#' || isDriven(c) ? 1 : 0; });
@@ -85,17 +87,18 @@ inline CellFeatures described(const FeatureScene& scene) {
   }
   const std::atomic<bool> never{false};
   return extractCellFeatures({path, drivenIn(scene), scene.max_gap_m, scene.robot_radius_m},
-                             scene.access_points, {{}, strength, scene.ray_loss_db}, never);
+                             scene.access_points, {{}, strength, scene.ray_loss_db}, never, limits);
 }
 
 /// One feature of all cells; not a number where a cell is not described.
 inline Grid<float> featureOf(const CellFeatures& features, const std::string& name) {
-  const auto& names = cellFeatureNames();
-  const auto at =
-      static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
-  if (at == names.size()) {
+  const CellFeature* const row =
+      std::find_if(std::begin(kCellFeatureTable), std::end(kCellFeatureTable),
+                   [&](const CellFeature& feature) { return feature.name == name; });
+  if (row == std::end(kCellFeatureTable)) {
     throw std::invalid_argument("no feature is called " + name);
   }
+  const auto at = static_cast<std::size_t>(row - std::begin(kCellFeatureTable));
   Grid<float> values(features.geometry, std::numeric_limits<float>::quiet_NaN());
   for (std::size_t i = 0; i < features.cells.size(); ++i) {
     values.cells[features.cells[i]] = features.values[i][at];
