@@ -34,12 +34,12 @@ struct FitOptions {
   std::string output;
 };
 
-/// Every second building is made up; the others are the plans given, in turn.
+/// Generates every second building and takes the given plans in turn for the others.
 FloorPlan buildingFor(std::size_t drive, std::int64_t seed, const std::vector<FloorPlan>& plans) {
   if (!plans.empty() && drive % 2 == 1) {
     return plans[drive / 2 % plans.size()];
   }
-  constexpr std::uint64_t kStream = 0x666974;  // apart from the streams of simulations
+  constexpr std::uint64_t kStream = 0x666974;  // no simulation uses it
   Random random(seed, kStream, 0);
   BuildingConfig config;
   config.seed = static_cast<std::uint64_t>(seed);
@@ -49,13 +49,13 @@ FloorPlan buildingFor(std::size_t drive, std::int64_t seed, const std::vector<Fl
   return generateFloorPlan(config);
 }
 
-/// Makes drives on several threads.
+/// Simulates drives on several threads.
 class Drives {
  public:
   Drives(const FitOptions& options, const std::vector<FloorPlan>& plans, const Config& config)
       : options_(options), plans_(plans), config_(config), progress_(count()) {}
 
-  /// Cells of all drives, in their order whatever the threads do.
+  /// Returns labelled cells of all drives. Their order does not depend on the threads.
   std::vector<TrainingCells> make() {
     std::vector<std::optional<TrainingCells>> made(count());
     std::atomic<std::size_t> next{0};
@@ -90,8 +90,8 @@ class Drives {
     const std::int64_t seed = options_.seed * kSeeds + static_cast<std::int64_t>(drive);
     const std::optional<TrainingDrive> made =
         makeTrainingDrive(buildingFor(drive / kDrivingStyles, seed, plans_), style, seed);
-    return made ? std::optional(
-                      cellsOf(*made, config_, static_cast<std::size_t>(options_.cells), seed))
+    return made ? std::optional(drawTrainingCells(*made, config_,
+                                                  static_cast<std::size_t>(options_.cells), seed))
                 : std::nullopt;
   }
 
@@ -124,12 +124,12 @@ std::string describe(const FitOptions& options, const std::vector<TrainingCells>
   return text + " with " + std::to_string(cells) + " cells.\n";
 }
 
-/// Fitting takes minutes: what is in the way of its result must be told before.
+/// Checks before the fit, which takes minutes, that its result can be written.
 void requireWritable(const std::string& file) {
   const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
   makeDirectories(folder.string());
   if (std::filesystem::is_directory(file) || access(folder.c_str(), W_OK) != 0) {
-    throw InputError(file + ": cannot be written");
+    throw InputError(file + ": cannot be written; give --output a file in a writable folder");
   }
 }
 
@@ -153,7 +153,7 @@ void runFit(Options& options) {
                   "take generated buildings");
   options.addInRange("drives", fit.drives, 10, 100000, "drives of each driving style");
   options.addInRange("cells", fit.cells, 10, 1000000, "approximate number of cells of each drive");
-  options.addInRange("seed", fit.seed, 0, 1000000, "seed of everything random");
+  options.addInRange("seed", fit.seed, 0, 1000000, "seed of all random numbers");
   options.add("config", "FILE", fit.config, "settings as in config/mapping.yaml");
   options.addInRange("workers", fit.workers, 1, 256, "threads");
   options.addRequired("output", "FILE", fit.output, "file for the model (YAML)");

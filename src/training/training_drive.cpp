@@ -35,7 +35,7 @@ void varyRadio(RadioModel::Config& radio, Random& random) {
   }
 }
 
-/// Positions of the readings, each once in a row.
+/// Positions of the readings, without repetitions in a row.
 std::vector<Position> pathOf(const std::vector<Reading>& readings) {
   std::vector<Position> path;
   for (const Reading& reading : readings) {
@@ -46,7 +46,7 @@ std::vector<Position> pathOf(const std::vector<Reading>& readings) {
   return path;
 }
 
-/// Only a part of the drive, at a random place of it.
+/// Keeps only a part of the drive, chosen at random.
 void shorten(std::vector<Reading>& readings, Random& random) {
   const double share = random.uniform(0.2, 0.9);
   const double begin = random.uniform(0.0, 1.0 - share);
@@ -58,8 +58,8 @@ void shorten(std::vector<Reading>& readings, Random& random) {
 
 }  // namespace
 
-Grid<CellState> seenFrom(const std::vector<Position>& path, const Grid<CellState>& states) {
-  constexpr double kSpacing = 0.8;    // [m], of the places looked from
+Grid<CellState> visibleStates(const std::vector<Position>& path, const Grid<CellState>& states) {
+  constexpr double kSpacing = 0.8;    // [m], between the places that the lidar looks from
   constexpr double kWallDepth = 2.0;  // cells of a wall's face
   Mask seen(states.geometry);
   const Position* last = nullptr;
@@ -131,7 +131,7 @@ std::optional<TrainingDrive> makeTrainingDrive(const FloorPlan& plan, DrivingSty
   if (drive.readings.empty()) {
     return std::nullopt;
   }
-  drive.truth = seenFrom(pathOf(drive.readings), drive.truth);
+  drive.truth = visibleStates(pathOf(drive.readings), drive.truth);
   return drive;
 }
 

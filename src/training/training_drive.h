@@ -11,15 +11,15 @@
 
 namespace sfw {
 
-/// A simulated drive to fit a belief model to, with what a lidar would have seen on the way.
+/// A simulated drive for the fit of a belief model, with the labels that a lidar would give.
 struct TrainingDrive {
   std::vector<Reading> readings;
   std::vector<AccessPoint> access_points;
   DrivingStyle style = DrivingStyle::kAlongWalls;
-  Grid<CellState> truth;  ///< free where seen from the way, occupied, else unknown
+  Grid<CellState> truth;  ///< labels, as of visibleStates
 };
 
-/// Generates a drive through a building, as varied as real ones are (doc/method/belief.md):
+/// Simulates a drive through a building, as varied as real drives (doc/method/belief.md).
 ///
 /// - up to three rectangles are cut out of the building, as if nobody could get in there;
 /// - along walls and on patrols, furniture often stands in the way of the robot, not of the radio;
@@ -30,13 +30,15 @@ struct TrainingDrive {
 /// - the radio is `realistic`, seldom `moderate` or `hard`, with walls of 2 to 11 dB, and 1 to 5
 ///   access points.
 ///
-/// @return nothing if the robot fits nowhere in what is left of the building.
+/// @return nothing if the robot fits nowhere in the rest of the building.
 /// Deterministic.
 std::optional<TrainingDrive> makeTrainingDrive(const FloorPlan& plan, DrivingStyle style,
                                                std::int64_t seed);
 
-/// What a lidar sees on a path: free cells within sight stay free, occupied ones beside them
-/// occupied; all others become unknown.
-Grid<CellState> seenFrom(const std::vector<Position>& path, const Grid<CellState>& states);
+/// Labels the cells that a lidar sees from a path. Free cells in sight stay free, occupied cells
+/// within two cells of them stay occupied, and all others become unknown.
+/// @param path    positions [m], in the frame of `states`
+/// @param states  the true state of each cell
+Grid<CellState> visibleStates(const std::vector<Position>& path, const Grid<CellState>& states);
 
 }  // namespace sfw

@@ -12,22 +12,23 @@ namespace {
 
 constexpr double kTurn = 2.0 * kPi;
 
-/// Distances to the nearest cell that is not free [m].
+/// Distances from each cell to the nearest cell that is not free.
 class Clearance {
  public:
-  Clearance(const FloorPlan& plan, double least) : distance_(distanceOf(plan)), least_(least) {}
+  Clearance(const FloorPlan& plan, double least_m)
+      : distance_(distanceOf(plan)), least_m_(least_m) {}
 
   double at(Cell c) const {
     return distance_.geometry.contains(c) ? distance_[c] * distance_.geometry.resolution() : 0.0;
   }
 
-  /// Whether a straight way keeps clear.
+  /// Returns whether a straight line keeps the least clearance.
   bool allows(const Position& from, const Position& to) const {
     const double length = (to - from).norm();
     const int steps = 1 + static_cast<int>(length / distance_.geometry.resolution());
     for (int i = 0; i <= steps; ++i) {
       const Position place = from + (to - from) * (static_cast<double>(i) / steps);
-      if (at(distance_.geometry.cellAt(place)) < least_) {
+      if (at(distance_.geometry.cellAt(place)) < least_m_) {
         return false;
       }
     }
@@ -44,15 +45,15 @@ class Clearance {
 
  private:
   Grid<double> distance_;
-  double least_;
+  double least_m_;
 };
 
-Position away(double length, Random& random) {
+Position randomStep(double length_m, Random& random) {
   const double bearing = random.uniform(0.0, kTurn);
-  return length * Position(std::cos(bearing), std::sin(bearing));
+  return length_m * Position(std::cos(bearing), std::sin(bearing));
 }
 
-/// Way points no more than 1.2 m apart on the same way.
+/// Adds way points to a route so that no two are much more than 1.2 m apart.
 std::vector<Position> divided(const std::vector<Position>& way) {
   constexpr double kLongest = 1.2;  // [m]
   std::vector<Position> dense;
@@ -160,7 +161,7 @@ std::vector<Position> withHumanSteering(const std::vector<Position>& way, const 
     }
     Position place = dense[i];
     for (int attempt = 0; attempt < 4; ++attempt) {
-      const Position candidate = dense[i] + away(displacement * random.uniform(), random);
+      const Position candidate = dense[i] + randomStep(displacement * random.uniform(), random);
       if (clearance.allows(loose.back(), candidate) && clearance.allows(candidate, next)) {
         place = candidate;
         break;
@@ -186,13 +187,13 @@ std::vector<Position> withRandomWalks(const std::vector<Position>& way, const Fl
     std::vector<Position> out{start};
     const int steps = static_cast<int>(random.uniform(0.0, most));
     for (int i = 0; i < steps; ++i) {
-      const Position next = out.back() + away(longest * std::sqrt(random.uniform()), random);
+      const Position next = out.back() + randomStep(longest * std::sqrt(random.uniform()), random);
       if ((next - start).norm() < kFarthest && clearance.allows(out.back(), next)) {
         out.push_back(next);
         stroll.push_back(next);
       }
     }
-    // Back as it came, until the way point is in sight.
+    // The robot returns as it came until it can see the way point.
     while (out.size() > 1) {
       out.pop_back();
       stroll.push_back(out.back());

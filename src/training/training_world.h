@@ -8,21 +8,22 @@
 
 namespace sfw {
 
-/// Variations of buildings and ways, for training drives.
+/// Random variations of buildings and routes, for training drives.
 
-/// Cuts one to three rectangles of 1 to 5 m out of a building: walled off, unknown inside.
+/// Cuts one to three rectangles of 1 to 5 m out of a building: with walls around, unknown inside.
 void cutOut(FloorPlan& plan, Random& random);
 
-/// Stands boxes of 0.3 to 1.2 m depth against walls, one for each 3 to 9 m2.
+/// Places boxes of 0.3 to 1.2 m depth along walls, one for each 3 to 9 m2.
 void furnish(FloorPlan& plan, Random& random);
 
-/// The way as a person would steer it: way points left out and displaced, corners cut.
-/// @param clearance_m  kept from everything that is not free
+/// Changes a route as a person would steer it: way points are left out or displaced, and corners
+/// cut.
+/// @param clearance_m  to everything that is not free
 std::vector<Position> withHumanSteering(const std::vector<Position>& way, const FloorPlan& plan,
                                         double clearance_m, Random& random);
 
-/// The way with strolls of some ten steps around its way points, as on a survey.
-/// @param clearance_m  kept from everything that is not free, on the strolls
+/// Adds random walks of about ten steps around the way points of a route, as on a survey.
+/// @param clearance_m  of the walks to everything that is not free
 std::vector<Position> withRandomWalks(const std::vector<Position>& way, const FloorPlan& plan,
                                       double clearance_m, Random& random);
 

@@ -24,7 +24,7 @@ TrainingCells drawn(DrivingStyle made, const PathStyle& style, double weight, st
                     Random& random) {
   TrainingCells drive{made, style, {}, {}};
   for (std::size_t i = 0; i < count; ++i) {
-    std::array<float, kCellFeatures> cell{};
+    FeatureVector cell{};
     for (float& value : cell) {
       value = static_cast<float>(random.normal());
     }

@@ -16,7 +16,7 @@ Rows labelsFrom(const std::vector<Cell>& path, const Rows& rows) {
   for (const Cell c : path) {
     positions.push_back(states.geometry.centre(c));
   }
-  return rowsOf(seenFrom(positions, states));
+  return rowsOf(visibleStates(positions, states));
 }
 
 const Rows kTwoRooms{"#######",  //
@@ -27,7 +27,7 @@ const Rows kTwoRooms{"#######",  //
                      "#..#..#",  //
                      "#######"};
 
-TEST(SeenFrom, LabelsTheRoomOfThePathAndItsWalls) {
+TEST(VisibleStates, LabelsTheRoomOfThePathAndItsWalls) {
   EXPECT_EQ(labelsFrom({{1, 3}}, kTwoRooms), (Rows{"####???",  //
                                                    "#..#???",  //
                                                    "#..#???",  //
@@ -37,11 +37,11 @@ TEST(SeenFrom, LabelsTheRoomOfThePathAndItsWalls) {
                                                    "####???"}));
 }
 
-TEST(SeenFrom, LooksFromEachPlaceOfThePath) {
+TEST(VisibleStates, LooksFromEachPlaceOfThePath) {
   EXPECT_EQ(labelsFrom({{1, 3}, {5, 3}}, kTwoRooms), kTwoRooms);
 }
 
-TEST(SeenFrom, LooksFromPlacesAtLeastEightyCentimetresApart) {
+TEST(VisibleStates, LooksFromPlacesAtLeastEightyCentimetresApart) {
   // From the second place one could see around the corner; it is half a metre from the first.
   const Rows corner{"....", "..#.", "..#.", "..#."};
   const Rows from_first = labelsFrom({{0, 0}}, corner);
@@ -49,19 +49,19 @@ TEST(SeenFrom, LooksFromPlacesAtLeastEightyCentimetresApart) {
   EXPECT_NE(labelsFrom({{0, 0}, {0, 3}}, corner), from_first);
 }
 
-TEST(SeenFrom, LabelsWallsTwoCellsDeep) {
+TEST(VisibleStates, LabelsWallsTwoCellsDeep) {
   EXPECT_EQ(labelsFrom({{1, 1}}, {"...####", "...####", "...####"}),
             (Rows{"...##??", "...##??", "...##??"}));
 }
 
-TEST(SeenFrom, LooksFromFreeCellsOnTheGridOnly) {
+TEST(VisibleStates, LooksFromFreeCellsOnTheGridOnly) {
   const Rows nothing(7, "???????");
   EXPECT_EQ(labelsFrom({{3, 3}}, kTwoRooms), nothing) << "inside a wall";
   EXPECT_EQ(labelsFrom({{-1, 3}, {9, 3}}, kTwoRooms), nothing);
   EXPECT_EQ(labelsFrom({}, kTwoRooms), nothing);
 }
 
-TEST(SeenFrom, LeavesUnknownCellsUnknown) {
+TEST(VisibleStates, LeavesUnknownCellsUnknown) {
   EXPECT_EQ(labelsFrom({{1, 1}}, {"....", "..?.", "...."})[1][2], '?');
 }
 
