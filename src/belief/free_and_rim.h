@@ -23,8 +23,8 @@ void stampFootprintAndContacts(const Mask& path, const std::vector<Contact>& con
 ///
 /// Free cells are those below belief/free_threshold that are connected with the path over edges,
 /// and islands in them without a clear obstacle. The rim, every cell next to a free one over an
-/// edge or a corner, becomes occupied. All other cells become unknown, because nobody knows what
-/// lies beyond the rim. Contacts and cells without evidence keep their values.
+/// edge or a corner, becomes occupied. All other cells become unknown, because there is no evidence
+/// beyond the rim. Contacts and cells without evidence keep their values.
 /// @param path      cells that the robot's antenna crossed, on the map's grid
 /// @param occupied  probabilities, changed in place
 /// Linear in cells.

@@ -27,8 +27,8 @@ class Clearance {
     const double length = (to - from).norm();
     const int steps = 1 + static_cast<int>(length / distance_.geometry.resolution());
     for (int i = 0; i <= steps; ++i) {
-      const Position place = from + (to - from) * (static_cast<double>(i) / steps);
-      if (at(distance_.geometry.cellAt(place)) < least_m_) {
+      const Position position = from + (to - from) * (static_cast<double>(i) / steps);
+      if (at(distance_.geometry.cellAt(position)) < least_m_) {
         return false;
       }
     }
@@ -54,33 +54,33 @@ Position randomStep(double length_m, Random& random) {
 }
 
 /// Adds way points to a route so that no two are much more than 1.2 m apart.
-std::vector<Position> divided(const std::vector<Position>& way) {
+std::vector<Position> divided(const std::vector<Position>& route) {
   constexpr double kLongest = 1.2;  // [m]
   std::vector<Position> dense;
-  for (std::size_t i = 0; i + 1 < way.size(); ++i) {
-    const Position step = way[i + 1] - way[i];
+  for (std::size_t i = 0; i + 1 < route.size(); ++i) {
+    const Position step = route[i + 1] - route[i];
     const int parts = std::max(1, static_cast<int>(step.norm() / kLongest));
     for (int part = 0; part < parts; ++part) {
-      dense.push_back(way[i] + step * (static_cast<double>(part) / parts));
+      dense.push_back(route[i] + step * (static_cast<double>(part) / parts));
     }
   }
-  dense.push_back(way.back());
+  dense.push_back(route.back());
   return dense;
 }
 
 /// Chaikin's corner cutting (1974), where there is room for it.
-std::vector<Position> smoothed(const std::vector<Position>& way, const Clearance& clearance) {
-  std::vector<Position> smooth{way.front()};
-  for (std::size_t i = 1; i + 1 < way.size(); ++i) {
-    const Position before = 0.75 * way[i] + 0.25 * way[i - 1];
-    const Position after = 0.75 * way[i] + 0.25 * way[i + 1];
+std::vector<Position> smoothed(const std::vector<Position>& route, const Clearance& clearance) {
+  std::vector<Position> smooth{route.front()};
+  for (std::size_t i = 1; i + 1 < route.size(); ++i) {
+    const Position before = 0.75 * route[i] + 0.25 * route[i - 1];
+    const Position after = 0.75 * route[i] + 0.25 * route[i + 1];
     if (clearance.allows(before, after)) {
       smooth.insert(smooth.end(), {before, after});
     } else {
-      smooth.push_back(way[i]);
+      smooth.push_back(route[i]);
     }
   }
-  smooth.push_back(way.back());
+  smooth.push_back(route.back());
   return smooth;
 }
 
@@ -146,12 +146,12 @@ void furnish(FloorPlan& plan, Random& random) {
   }
 }
 
-std::vector<Position> withHumanSteering(const std::vector<Position>& way, const FloorPlan& plan,
+std::vector<Position> withHumanSteering(const std::vector<Position>& route, const FloorPlan& plan,
                                         double clearance_m, Random& random) {
   const Clearance clearance(plan, clearance_m);
   const double displacement = random.uniform(0.1, 0.5);
   const double left_out = random.uniform(0.0, 0.35);
-  const std::vector<Position> dense = divided(way);
+  const std::vector<Position> dense = divided(route);
   std::vector<Position> loose{dense.front()};
   for (std::size_t i = 1; i < dense.size(); ++i) {
     const Position& next = dense[std::min(i + 1, dense.size() - 1)];
@@ -159,27 +159,27 @@ std::vector<Position> withHumanSteering(const std::vector<Position>& way, const 
         clearance.allows(loose.back(), next)) {
       continue;
     }
-    Position place = dense[i];
+    Position position = dense[i];
     for (int attempt = 0; attempt < 4; ++attempt) {
       const Position candidate = dense[i] + randomStep(displacement * random.uniform(), random);
       if (clearance.allows(loose.back(), candidate) && clearance.allows(candidate, next)) {
-        place = candidate;
+        position = candidate;
         break;
       }
     }
-    loose.push_back(place);
+    loose.push_back(position);
   }
   return smoothed(smoothed(loose, clearance), clearance);
 }
 
-std::vector<Position> withRandomWalks(const std::vector<Position>& way, const FloorPlan& plan,
+std::vector<Position> withRandomWalks(const std::vector<Position>& route, const FloorPlan& plan,
                                       double clearance_m, Random& random) {
   constexpr double kFarthest = 3.0;  // [m] from the way point
   const Clearance clearance(plan, clearance_m);
   const double longest = random.uniform(0.2, 1.2);
   const double most = random.uniform(6.0, 46.0);
   std::vector<Position> stroll;
-  for (const Position& start : way) {
+  for (const Position& start : route) {
     stroll.push_back(start);
     if (random.uniform() < 0.25) {
       continue;

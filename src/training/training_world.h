@@ -19,12 +19,12 @@ void furnish(FloorPlan& plan, Random& random);
 /// Changes a route as a person would steer it: way points are left out or displaced, and corners
 /// cut.
 /// @param clearance_m  to everything that is not free
-std::vector<Position> withHumanSteering(const std::vector<Position>& way, const FloorPlan& plan,
+std::vector<Position> withHumanSteering(const std::vector<Position>& route, const FloorPlan& plan,
                                         double clearance_m, Random& random);
 
 /// Adds random walks of about ten steps around the way points of a route, as on a survey.
 /// @param clearance_m  of the walks to everything that is not free
-std::vector<Position> withRandomWalks(const std::vector<Position>& way, const FloorPlan& plan,
+std::vector<Position> withRandomWalks(const std::vector<Position>& route, const FloorPlan& plan,
                                       double clearance_m, Random& random);
 
 }  // namespace sfw

@@ -29,7 +29,7 @@ TEST(BeliefMap, IsUnknownAtFirst) {
   }
 }
 
-TEST(BeliefMap, TellsStatesByItsThresholds) {
+TEST(BeliefMap, SeparatesStatesByItsThresholds) {
   const BeliefMap belief = row({0.1F, 0.15F, 0.4F, 0.5F, 0.6F, 0.7F, 0.9F});
   const std::vector<CellState> expected{
       CellState::kFree,    CellState::kFree,     CellState::kUnknown, CellState::kUnknown,
@@ -50,7 +50,7 @@ TEST(BeliefMap, TakesOtherThresholds) {
   EXPECT_EQ(belief.state({3, 0}), CellState::kOccupied);
 }
 
-TEST(BeliefMap, NeverTakesWhatNobodySawForAnythingButUnknown) {
+TEST(BeliefMap, KeepsUnseenCellsUnknown) {
   Config::Belief config;
   config.free_threshold = 0.6;
   config.occupied_threshold = 0.6;
@@ -86,7 +86,7 @@ TEST(BeliefMap, EndsNearCertainty) {
   EXPECT_EQ(belief.state({3, 0}), CellState::kOccupied);
 }
 
-TEST(BeliefMap, TakesNonsenseForUnknown) {
+TEST(BeliefMap, TakesInvalidProbabilitiesForUnknown) {
   const float infinity = std::numeric_limits<float>::infinity();
   const BeliefMap belief =
       row({std::numeric_limits<float>::quiet_NaN(), -0.01F, 1.01F, infinity, -infinity, 300.0F});

@@ -86,7 +86,7 @@ TEST(BeliefModel, ComesBackFromItsFile) {
   EXPECT_EQ(back.expert(DrivingStyle::kAlongWalls).with_radio.features, expert.with_radio.features);
 }
 
-TEST(BeliefModel, NamesTheFileAndWhatItLacks) {
+TEST(BeliefModel, NamesTheFileOfAMalformedModel) {
   std::string lacking = toYaml(modelWith(expertFor(kWallFollower)));
   lacking.replace(lacking.find("    rays: "), 9, "    rain:");
   std::string without_style = toYaml(modelWith(expertFor(kWallFollower)));
@@ -133,7 +133,7 @@ TEST(BeliefModel, RefusesAFeatureThatItDoesNotKnow) {
 }
 
 /// Where walls take `wall` of what signals can lose, and `sight` of them is left.
-FeatureVector cellHeard(float wall, float sight) {
+FeatureVector cellWithWalls(float wall, float sight) {
   constexpr float kExplained = 0.6F;
   std::map<std::string, float> values{{"line_of_sight", sight},
                                       {"wall_strength", wall},
@@ -165,7 +165,7 @@ TEST(BeliefModel, IsShippedAndTakesWallsForWalls) {
     StyleShares shares{};
     shares[style] = 1.0;
     const auto free = [&](float wall, float sight) {
-      return model.free(cellHeard(wall, sight), shares, true);
+      return model.free(cellWithWalls(wall, sight), shares, true);
     };
     // More wall on the radio's part makes no cell freer, where there are rays at all: below 0.02
     // the features tell cells that no ray passes near.

@@ -148,7 +148,7 @@ Reading readingAt(double x, double y, double rssi_dbm, std::int64_t second,
   return {second * 1000000000, {x, y}, bssid, rssi_dbm};
 }
 
-TEST(Tomography, GivesAMostlyUnknownMapOfNothing) {
+TEST(Tomography, GivesAMostlyUnknownMapWithoutReadings) {
   const auto snapshot = mapOf({FloorPlan(GridGeometry(0.1, {0, 0}, 1, 1)), {accessPoint()}, {}});
   expectValid(*snapshot);
 }

@@ -26,7 +26,7 @@ ShortestPaths waysOver(const Mask& path, const Grid<float>& strength,
   return shortestPathsFrom(path, distanceTransform(path), strength, stop);
 }
 
-TEST(CheapestWays, AreAsLongAsTheyAreWithoutWalls) {
+TEST(ShortestPaths, AreAsLongAsTheyAreWithoutWalls) {
   const ShortestPaths ways = waysOver(pathAt({{5, 5}}), Grid<float>(kField));
   EXPECT_EQ((ways.cost[{5, 5}]), 0.0F);
   EXPECT_NEAR((ways.cost[{15, 5}]), 1.0, 1e-4);
@@ -34,13 +34,13 @@ TEST(CheapestWays, AreAsLongAsTheyAreWithoutWalls) {
   EXPECT_NEAR((ways.cost[{15, 9}]), 0.6 + 0.4 * std::sqrt(2.0), 1e-4);
 }
 
-TEST(CheapestWays, StartFromTheCheapestCellOfThePath) {
+TEST(ShortestPaths, StartFromTheCheapestCellOfThePath) {
   const ShortestPaths ways = waysOver(pathAt({{5, 5}, {25, 5}}), Grid<float>(kField));
   EXPECT_EQ((ways.source[{14, 5}]), kField.index({5, 5}));
   EXPECT_EQ((ways.source[{16, 5}]), kField.index({25, 5}));
 }
 
-TEST(CheapestWays, PayForWallsOrGoRound) {
+TEST(ShortestPaths, PayForWallsOrGoRound) {
   Grid<float> strength(kField);
   for (std::int64_t y = 0; y < 20; ++y) {
     strength[{10, y}] = 4.0F;  // [dB], a cell thick
@@ -53,7 +53,7 @@ TEST(CheapestWays, PayForWallsOrGoRound) {
               1e-4);
 }
 
-TEST(CheapestWays, EndWhereNothingIsJudged) {
+TEST(ShortestPaths, EndThreeMetresFromThePath) {
   const ShortestPaths ways = waysOver(pathAt({{0, 5}}), Grid<float>(kField));
   const auto last = static_cast<std::int64_t>(std::floor(kMaxDistanceToPath / kField.resolution()));
   ASSERT_LT(last + 1, kField.width());
@@ -61,7 +61,7 @@ TEST(CheapestWays, EndWhereNothingIsJudged) {
   EXPECT_GT((ways.cost[{last + 1, 5}]), 1e5F);
 }
 
-TEST(CheapestWays, StopWhenAsked) {
+TEST(ShortestPaths, StopWhenAsked) {
   const std::atomic<bool> stop{true};
   EXPECT_GT((waysOver(pathAt({{5, 5}}), Grid<float>(kField), stop).cost[{6, 5}]), 1e5F);
 }

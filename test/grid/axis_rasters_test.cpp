@@ -52,7 +52,7 @@ TEST(AxisRasters, BoxMeanIsThatOfASquare) {
                                              {1, 1, 0, 0, 0, 0, 0}});
 }
 
-TEST(AxisRasters, BoxMeanReachesAsFarAsItIsToldAndBeyondTheGridFindsNought) {
+TEST(AxisRasters, BoxMeanCountsCellsBeyondTheGridAsZero) {
   const Grid<float> ones(GridGeometry(0.1, {0.0, 0.0}, 7, 7), 1.0F);
   constexpr double k2 = 15.0 / 25.0, k3 = 9.0 / 25.0, k1 = 20.0 / 25.0, k4 = 12.0 / 25.0;
   constexpr double k5 = 16.0 / 25.0;

@@ -206,7 +206,7 @@ TEST(PathCorrector, LeavesOutWhatIsNotFinite) {
   EXPECT_TRUE(anchor.correction().empty());
 }
 
-TEST(CorrectedMapper, CountsWhatNoMapCanHold) {
+TEST(CorrectedMapper, CountsReadingsThatNoMapCanHold) {
   Mapper driven = test::mapperOf({});
   PathCorrector anchor;
   for (const Reading& reading : test::drive()) {

@@ -140,7 +140,7 @@ TEST(StrayPoses, LeaveTheMapAsItIsWithoutThem) {
   EXPECT_NEAR(snapshot->stray.farthest_m, std::hypot(300.5, 80.0), 1e-6);
 }
 
-TEST(StrayPoses, AreTold) {
+TEST(StrayPoses, AreReported) {
   std::vector<PathPose> path = drive(30);
   shift(path, 12, 14, {300.0, 0.0});
   const std::vector<MapNote> notes = mapNotes(*mapperWith(heardOn(path)).infer());

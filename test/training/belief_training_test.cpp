@@ -57,7 +57,7 @@ TEST(BeliefTraining, FindsTheWeightsThatMadeTheCells) {
   EXPECT_GT(model.expert(DrivingStyle::kAlongWalls).with_radio.features[1], 1.3);
 }
 
-TEST(BeliefTraining, ReckonsWithDrivesThatLookLikeAnotherStyle) {
+TEST(BeliefTraining, WeighsDrivesThatLookLikeAnotherStyle) {
   Random random(1, 1, 1);
   std::vector<TrainingCells> drives;
   for (int i = 0; i < 20; ++i) {
