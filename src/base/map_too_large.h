@@ -8,12 +8,12 @@
 
 namespace sfw {
 
-/// What to tell a user whose path needs more cells than map/max_cells.
+/// The error of a path that needs more cells than map/max_cells.
 inline std::string tooLargeText(const Box& path, const Config::Map& config) {
   const Position size = path.sizes();
-  return "the path reaches over " + std::to_string(std::lround(size.x())) + " x " +
+  return "the path covers " + std::to_string(std::lround(size.x())) + " x " +
          std::to_string(std::lround(size.y())) +
-         " m, more than map/max_cells allows; leave out poses that have gone astray, or raise "
+         " m, more than map/max_cells allows; leave out wrong poses, or raise "
          "map/max_cells (" +
          std::to_string(config.max_cells) + ") or map/resolution";
 }

@@ -85,7 +85,7 @@ TEST(MapNotes, TellOfAStraightPathInAnyDirection) {
 TEST(MapNotes, TellOfSignalsThatAreAlike) {
   const std::string notes = notesOf(
       lanes, [](const Position&) { return -60.0; }, 400);
-  EXPECT_TRUE(tells(notes, "alike")) << notes;
+  EXPECT_TRUE(tells(notes, "are equal and contain no information")) << notes;
 }
 
 TEST(MapNotes, TellThatOnlyStrangersWereHeard) {
@@ -99,8 +99,8 @@ TEST(MapNotes, TellThatNothingWasHeard) {
       textsOf(*mapper.infer()),
       (std::vector<std::string>{
           "no pose is known: the map is empty",
-          "no reading of an access point of the table can be used: the map shows at most what "
-          "the path alone tells"}));
+          "no reading of an access point of the table can be used: the map follows from the path "
+          "alone; compare the BSSIDs"}));
   for (const MapNote& note : mapNotes(*mapper.infer())) {
     EXPECT_FALSE(isFault(note)) << note.text;  // each drive begins so
   }
@@ -124,7 +124,7 @@ TEST(MapNotes, TellThatNothingHeardHasAPlace) {
   }
   const std::vector<std::string> notes = textsOf(*mapper.infer());
   ASSERT_EQ(notes.size(), 1U);
-  EXPECT_EQ(notes[0].rfind("no access point that was heard has a place", 0), 0U) << notes[0];
+  EXPECT_EQ(notes[0].rfind("no access point with readings has a position", 0), 0U) << notes[0];
 }
 
 TEST(MapNotes, AreSilentAboutWhatStrangersAreHeardWith) {
@@ -171,8 +171,8 @@ TEST(MapNotes, TellOfAnAccessPointAtTheWrongPlace) {
   const DataFindings findings{{fit}, {}};
   EXPECT_EQ(textsOf(*snapshot, findings),
             std::vector<std::string>{
-                "02:00:00:00:00:01: its readings fit a place 3.2 m away, at (5.0, 1.0), much "
-                "better than the one given"});
+                "02:00:00:00:00:01: its readings fit a position 3.2 m away, at (5.0, 1.0), much "
+                "better than the given one; measure its position again"});
   EXPECT_TRUE(isFault(mapNotes(*snapshot, findings)[0]));
 }
 
@@ -190,8 +190,8 @@ TEST(MapNotes, TellOfStampsThatAreCut) {
   EXPECT_EQ(
       textsOf(*mapper.infer()),
       std::vector<std::string>{
-          "3 readings count for nothing: the same radio was heard stronger at the same stamp, "
-          "but at another place; look whether stamps are cut, as to whole seconds"});
+          "3 readings are not used: the same radio has a stronger reading at the same stamp and "
+          "another position; check whether stamps are rounded, such as to seconds"});
 }
 
 TEST(MapNotes, TellOfOneStampForAll) {
@@ -201,7 +201,7 @@ TEST(MapNotes, TellOfOneStampForAll) {
   }
   const auto strongest = textsOf(*mapper.infer());
   ASSERT_EQ(strongest.size(), 1U) << strongest.back();
-  EXPECT_EQ(strongest[0].rfind("all readings bear one stamp", 0), 0U) << strongest[0];
+  EXPECT_EQ(strongest[0].rfind("all readings have the same stamp", 0), 0U) << strongest[0];
 }
 
 TEST(MapNotes, TellOfAPathThatGoesOnElsewhere) {
@@ -209,7 +209,7 @@ TEST(MapNotes, TellOfAPathThatGoesOnElsewhere) {
     return i < 200 ? lanes(i) : Position(lanes(i) + Position(20.0, 0.0));
   };
   const std::string notes = notesOf(jumping, fading, 400);
-  EXPECT_TRUE(tells(notes, "path jumps 1 time and stays there, by up to 20 m")) << notes;
+  EXPECT_TRUE(tells(notes, "path jumps 1 time, by up to 20 m, and goes on from there")) << notes;
 }
 
 TEST(MapNotes, TellOfAnAccessPointThatMayStandAtSeveralPlaces) {
@@ -227,7 +227,7 @@ TEST(MapNotes, TellOfAnAccessPointThatMayStandAtSeveralPlaces) {
   ASSERT_TRUE(snapshot->access_points[0].estimate->ambiguous);
   const std::vector<std::string> notes = textsOf(*snapshot);
   EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
-    return note.rfind("02:00:00:00:00:01 may stand at several places", 0) == 0;
+    return note.rfind("02:00:00:00:00:01 has several likely positions", 0) == 0;
   }));
 }
 
@@ -253,7 +253,7 @@ TEST(MapNotes, NameAccessPointsThatWereNeverHeard) {
     mapper.insert(test::reading(i, lanes(i).x(), lanes(i).y(), fading(lanes(i))));
   }
   EXPECT_EQ(textsOf(*mapper.infer()),
-            std::vector<std::string>{"2 of 3 access points of the table were never heard: "
+            std::vector<std::string>{"2 of 3 access points of the table have no reading: "
                                      "02:00:00:00:00:02, 02:00:00:00:00:03"});
 }
 

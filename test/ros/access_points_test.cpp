@@ -123,7 +123,7 @@ TEST_F(AccessPointsTest, TellsWhichPositionsAgreeWithWhatWasHeard) {
 }
 
 TEST_F(AccessPointsTest, WarnsOfAWrongPositionWhileTheRobotDrives) {
-  const std::string warning = std::string(kFar) + ": its readings fit a place";
+  const std::string warning = std::string(kFar) + ": its readings fit a position";
   constexpr int kMost = kSteps - 80;
   send(0, kMost);
   ASSERT_TRUE(spinUntil([&] { return warnings(warning) > 0; }, 30.0)) << "nobody saves the map";
@@ -131,12 +131,12 @@ TEST_F(AccessPointsTest, WarnsOfAWrongPositionWhileTheRobotDrives) {
   send(kMost, kSteps);
   ASSERT_TRUE(spinUntil([&] { return reported_faults_ != nullptr; }, 30.0));
   EXPECT_EQ(warnings(warning), 1U) << "once is enough";
-  EXPECT_EQ(warnings(std::string(kNear) + ": its readings fit a place"), 0U);
+  EXPECT_EQ(warnings(std::string(kNear) + ": its readings fit a position"), 0U);
 }
 
 TEST_F(AccessPointsTest, WarnsAsLongAsNothingIsHeard) {
   EXPECT_TRUE(spinUntil(
-      [&] { return warnings("Nothing was heard yet on " + name_ + "/wifi_scan") > 0; }, 30.0));
+      [&] { return warnings("No reading yet on " + name_ + "/wifi_scan") > 0; }, 30.0));
 }
 
 TEST_F(AccessPointsTest, ShowsWhatIsEstimatedAndWhatIsSuspect) {
@@ -149,7 +149,7 @@ TEST_F(AccessPointsTest, ShowsWhatIsEstimatedAndWhatIsSuspect) {
   }
   EXPECT_NE(marker("access_points", 0)->color, marker("access_points", 1)->color);
   EXPECT_EQ(marker("names", 0)->text, kNear);
-  EXPECT_NE(marker("names", 1)->text.find("sounds as if 4."), std::string::npos)
+  EXPECT_NE(marker("names", 1)->text.find("readings fit 4."), std::string::npos)
       << marker("names", 1)->text;
   EXPECT_NE(marker("names", 2)->text.find("lost\nestimated, ± "), std::string::npos)
       << marker("names", 2)->text;
