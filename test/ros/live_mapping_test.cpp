@@ -39,9 +39,10 @@ TEST(SharedMapper, TakesReadingsWhileAMapIsInferred) {
   const auto read = [&](int leg, double share) {
     for (const AccessPoint& access_point : access_points) {
       const Position position = positionAt(leg, share);
-      mapper.insert({Reading{++stamp_ns, position, access_point.bssid,
-                             rssiAt(position, access_point.position)},
-                     {}});
+      mapper.insert(
+          {{{++stamp_ns, position, access_point.bssid, rssiAt(position, access_point.position)}},
+           {},
+           {}});
     }
   };
   for (int leg = 0; leg < kLegs; ++leg) {
