@@ -63,7 +63,7 @@ void MappingNodelet::loadParameters() {
 
 void MappingNodelet::advertise() {
   ros::NodeHandle node = getNodeHandle();
-  // Made first: with a map that cannot be made nothing may be advertised.
+  // Inferred first: if no map is possible, nothing may be advertised.
   const std::shared_ptr<const Snapshot> empty = mapper_->corrected({}).mapper.infer(stop_);
   publishers_.emplace(node, config_);
   publishers_->publish(empty);

@@ -41,7 +41,7 @@ SharedMapper::Copy SharedMapper::corrected(const std::optional<OdometryCorrectio
   Copy copy{mapper_, resets_, false};
   PathCorrector corrector = corrector_;
   lock.unlock();
-  // Not kept: it depends on the moment of asking, and the map must not.
+  // Not kept: tf's latest correction depends on the time of this call, and later maps must not.
   if (latest && corrector.size() > 0) {
     corrector.insert(*latest);
   }
