@@ -14,7 +14,7 @@ namespace {
 const Position kFirst(2.0, 1.5);
 const Position kSecond(6.0, 4.5);
 
-/// Through a hall of 8 x 6 m in lanes 1 m apart; two access points heard at each stamp.
+/// Through a hall of 8 x 6 m in lanes 1 m apart, with a reading of two access points at each stamp.
 std::vector<Reading> hallDrive() {
   Random random(7, 8, 9);
   std::vector<Reading> readings;

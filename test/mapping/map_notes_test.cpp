@@ -37,7 +37,7 @@ std::vector<std::string> textsOf(const Snapshot& snapshot, const DataFindings& f
 }
 
 /// Maps a drive with both methods: the same notes have to come from either.
-std::string notesOf(const Place& place, const Signal& signal, int count, int heard = 1) {
+std::string notesOf(const Place& place, const Signal& signal, int count, int radio = 1) {
   std::optional<std::string> notes;
   for (const char* method : {"tomography", "k_visibility"}) {
     Config config = test::rawConfig();
@@ -45,7 +45,7 @@ std::string notesOf(const Place& place, const Signal& signal, int count, int hea
     Mapper mapper(config, {test::accessPoint(1, kAccessPoint.x(), kAccessPoint.y())});
     for (int i = 0; i < count; ++i) {
       const Position at = place(i);
-      mapper.insert(test::reading(i, at.x(), at.y(), signal(at), heard));
+      mapper.insert(test::reading(i, at.x(), at.y(), signal(at), radio));
     }
     const auto snapshot = mapper.infer();
     EXPECT_TRUE(snapshot);
@@ -60,40 +60,40 @@ std::string notesOf(const Place& place, const Signal& signal, int count, int hea
   return *notes;
 }
 
-bool tells(const std::string& notes, const char* what) {
-  return notes.find(what) != std::string::npos;
+bool contain(const std::string& notes, const char* text) {
+  return notes.find(text) != std::string::npos;
 }
 
-TEST(MapNotes, AreSilentAboutAGoodDrive) { EXPECT_EQ(notesOf(lanes, fading, 400), ""); }
+TEST(MapNotes, AreEmptyForAGoodDrive) { EXPECT_EQ(notesOf(lanes, fading, 400), ""); }
 
-TEST(MapNotes, TellOfOneReading) {
+TEST(MapNotes, ReportASingleReading) {
   const std::string notes = notesOf(lanes, fading, 1);
-  EXPECT_TRUE(tells(notes, "hardly moved")) << notes;
-  EXPECT_TRUE(tells(notes, "only 1 reading is")) << notes;
+  EXPECT_TRUE(contain(notes, "hardly moved")) << notes;
+  EXPECT_TRUE(contain(notes, "only 1 reading is")) << notes;
 }
 
-TEST(MapNotes, TellOfAStraightPathInAnyDirection) {
+TEST(MapNotes, ReportAStraightPathInAnyDirection) {
   for (const double bearing : {0.0, 0.6, 1.57}) {
     const auto straight = [&](int i) {
       return Position(0.1 * i * std::cos(bearing), 0.1 * i * std::sin(bearing));
     };
     const std::string notes = notesOf(straight, fading, 80);
-    EXPECT_TRUE(tells(notes, "path is straight")) << notes;
+    EXPECT_TRUE(contain(notes, "path is straight")) << notes;
   }
 }
 
-TEST(MapNotes, TellOfSignalsThatAreAlike) {
+TEST(MapNotes, ReportEqualSignals) {
   const std::string notes = notesOf(
       lanes, [](const Position&) { return -60.0; }, 400);
-  EXPECT_TRUE(tells(notes, "are equal and contain no information")) << notes;
+  EXPECT_TRUE(contain(notes, "are equal and contain no information")) << notes;
 }
 
-TEST(MapNotes, TellThatOnlyStrangersWereHeard) {
+TEST(MapNotes, ReportThatAllRadiosAreUnknown) {
   const std::string notes = notesOf(lanes, fading, 400, 2);
-  EXPECT_TRUE(tells(notes, "no reading of an access point of the table can be used")) << notes;
+  EXPECT_TRUE(contain(notes, "no reading of an access point of the table can be used")) << notes;
 }
 
-TEST(MapNotes, TellThatNothingWasHeard) {
+TEST(MapNotes, ReportThatThereIsNoReading) {
   const Mapper mapper(test::rawConfig(), {test::accessPoint(1, 2.0, 1.5)});
   EXPECT_EQ(
       textsOf(*mapper.infer()),
@@ -106,16 +106,16 @@ TEST(MapNotes, TellThatNothingWasHeard) {
   }
 }
 
-TEST(MapNotes, TellOfSignalsStrongerThanAnyRadioIsHeard) {
+TEST(MapNotes, ReportSignalsThatNoRadioReceives) {
   int reading = 0;
   const auto sometimes_zero = [&](const Position& at) {
     return ++reading % 20 == 0 ? 0.0 : fading(at);
   };
   const std::string notes = notesOf(lanes, sometimes_zero, 400);
-  EXPECT_TRUE(tells(notes, "20 readings are of 0 dBm")) << notes;
+  EXPECT_TRUE(contain(notes, "20 readings are of 0 dBm")) << notes;
 }
 
-TEST(MapNotes, TellThatNothingHeardHasAPlace) {
+TEST(MapNotes, ReportThatNoRadioHasAPosition) {
   AccessPoint unplaced = test::accessPoint(1, 0.0, 0.0);
   unplaced.position_known = false;
   Mapper mapper(test::rawConfig(), {unplaced});
@@ -127,7 +127,7 @@ TEST(MapNotes, TellThatNothingHeardHasAPlace) {
   EXPECT_EQ(notes[0].rfind("no access point with readings has a position", 0), 0U) << notes[0];
 }
 
-TEST(MapNotes, AreSilentAboutWhatStrangersAreHeardWith) {
+TEST(MapNotes, IgnoreTheSignalsOfUnknownRadios) {
   Mapper mapper(test::rawConfig(), {test::accessPoint(1, 2.0, 1.5)});
   for (int i = 0; i < 400; ++i) {
     mapper.insert(test::reading(i, lanes(i).x(), lanes(i).y(), fading(lanes(i))));
@@ -136,7 +136,7 @@ TEST(MapNotes, AreSilentAboutWhatStrangersAreHeardWith) {
   EXPECT_EQ(textsOf(*mapper.infer()), std::vector<std::string>());
 }
 
-TEST(MapNotes, AreSilentAboutAFewStrongReadings) {
+TEST(MapNotes, IgnoreAFewStrongReadings) {
   int reading = 0;
   const auto seldom_zero = [&](const Position& at) {
     return ++reading % 200 == 0 ? 0.0 : fading(at);
@@ -144,7 +144,7 @@ TEST(MapNotes, AreSilentAboutAFewStrongReadings) {
   EXPECT_EQ(notesOf(lanes, seldom_zero, 400), "");
 }
 
-TEST(MapNotes, TellOfStampsThatFitNoPose) {
+TEST(MapNotes, ReportStampsThatFitNoPose) {
   Mapper mapper(test::rawConfig(), {test::accessPoint(1, 2.0, 1.5)});
   for (int i = 0; i < 400; ++i) {
     const Position at = lanes(i * 163 % 400);  // each pose has the stamp of another one
@@ -157,7 +157,7 @@ TEST(MapNotes, TellOfStampsThatFitNoPose) {
   EXPECT_EQ(notes[0].rfind("half of the path's steps are faster than", 0), 0U) << notes[0];
 }
 
-TEST(MapNotes, TellOfAnAccessPointAtTheWrongPlace) {
+TEST(MapNotes, ReportAnAccessPointAtAWrongPosition) {
   Mapper mapper(Config(), {test::accessPoint(1, 2.0, 1.5)});
   for (int i = 0; i < 400; ++i) {
     mapper.insert(test::reading(i, lanes(i).x(), lanes(i).y(), fading(lanes(i))));
@@ -176,7 +176,7 @@ TEST(MapNotes, TellOfAnAccessPointAtTheWrongPlace) {
   EXPECT_TRUE(isFault(mapNotes(*snapshot, findings)[0]));
 }
 
-TEST(MapNotes, TellOfStampsThatAreCut) {
+TEST(MapNotes, ReportRoundedStamps) {
   Mapper mapper(test::rawConfig(), {test::accessPoint(1, 2.0, 1.5)});
   for (int i = 0; i < 400; ++i) {
     const Position at = lanes(i);
@@ -194,7 +194,7 @@ TEST(MapNotes, TellOfStampsThatAreCut) {
           "another position; check whether stamps are rounded, such as to seconds"});
 }
 
-TEST(MapNotes, TellOfOneStampForAll) {
+TEST(MapNotes, ReportASingleStamp) {
   Mapper mapper(test::rawConfig(), {test::accessPoint(1, 2.0, 1.5)});
   for (int i = 0; i < 400; ++i) {
     mapper.insert(test::reading(7, lanes(i).x(), lanes(i).y(), fading(lanes(i))));
@@ -204,15 +204,15 @@ TEST(MapNotes, TellOfOneStampForAll) {
   EXPECT_EQ(strongest[0].rfind("all readings have the same stamp", 0), 0U) << strongest[0];
 }
 
-TEST(MapNotes, TellOfAPathThatGoesOnElsewhere) {
+TEST(MapNotes, ReportAPathThatGoesOnElsewhere) {
   const auto jumping = [](int i) -> Position {
     return i < 200 ? lanes(i) : Position(lanes(i) + Position(20.0, 0.0));
   };
   const std::string notes = notesOf(jumping, fading, 400);
-  EXPECT_TRUE(tells(notes, "path jumps 1 time, by up to 20 m, and goes on from there")) << notes;
+  EXPECT_TRUE(contain(notes, "path jumps 1 time, by up to 20 m, and goes on from there")) << notes;
 }
 
-TEST(MapNotes, TellOfAnAccessPointThatMayStandAtSeveralPlaces) {
+TEST(MapNotes, ReportAnAccessPointWithSeveralLikelyPositions) {
   AccessPoint unplaced = test::accessPoint(1, 0.0, 0.0);
   unplaced.position_known = false;
   Mapper mapper(Config(), {unplaced});
@@ -231,7 +231,7 @@ TEST(MapNotes, TellOfAnAccessPointThatMayStandAtSeveralPlaces) {
   }));
 }
 
-TEST(MapNotes, TellThatOctoMapEndsBeforeTheMap) {
+TEST(MapNotes, ReportAMapBeyondOctoMap) {
   const auto far = [](int i) -> Position { return lanes(i) + Position(10000.0, 0.0); };
   const auto far_signal = [](const Position& at) {
     return fading(Position(at - Position(10000.0, 0.0)));
@@ -245,7 +245,7 @@ TEST(MapNotes, TellThatOctoMapEndsBeforeTheMap) {
   EXPECT_EQ(notes[0].rfind("there is no OctoMap", 0), 0U) << notes[0];
 }
 
-TEST(MapNotes, NameAccessPointsThatWereNeverHeard) {
+TEST(MapNotes, NameAccessPointsWithoutReading) {
   const Config config = test::rawConfig();
   Mapper mapper(config, {test::accessPoint(1, 2.0, 1.5), test::accessPoint(2, 3.0, 3.0),
                          test::accessPoint(3, 0.0, 0.0)});

@@ -75,7 +75,7 @@ TEST(SharedMapper, TakesReadingsWhileAMapIsInferred) {
 
 class LiveMappingTest : public NodeletWorld {
  protected:
-  /// A leg as two poses and one late report of all that was heard in between.
+  /// A leg as two poses and one late scan with all readings in between.
   void sendLeg(int leg) {
     const double start_s = kLegTime * leg;
     for (const double share : {0.0, 1.0}) {
