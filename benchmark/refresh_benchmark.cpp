@@ -217,15 +217,16 @@ void measure(double minutes, const Mapper& mapper, const std::vector<AccessPoint
   const double inference = cpuSeconds([&] {
     return static_cast<double>(mapper.infer()->belief.occupied({0, 0}));
   });
+  const double sorting = cpuSeconds([&] { return mapper.extent().min().x(); });
   const double publishing = cpuSeconds([&] { return publishedBytes(*snapshot); });
   const double octomaps = cpuSeconds([&] { return octomapBytes(*snapshot); });
   const double refresh = inference + publishing;
   const double plain = plainSeconds(described.heard, walls);
   std::printf(
-      "| %.0f min | %zu | %zu | %zu | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.1f | %.1f "
-      "|\n",
+      "| %.0f min | %zu | %zu | %zu | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.1f "
+      "| %.1f |\n",
       minutes, mapper.readings().size(), bins, described.cells.cells.size(), precision, wall_field,
-      features, inference - wall_field - features, publishing, refresh, octomaps, plain,
+      features, inference - wall_field - features, sorting, publishing, refresh, octomaps, plain,
       plain / refresh);
 }
 
@@ -237,10 +238,11 @@ int main() {
     const sfw::Scenario scenario = sfw::longDrive();
     const sfw::SimulatedRecording recording = sfw::simulate(scenario);
     std::puts(
-        "| drive | readings | bins | cells judged | precisions [s] | walls, with these [s] |"
-        " features [s] | rest [s] | publishing [s] | refresh [s] | OctoMaps, if heard [s] | plain "
+        "| drive | readings | bins | cells | precisions [s] | walls, with these [s] |"
+        " features [s] | rest, with sorting [s] | sorting [s] | publishing [s] | refresh [s] | "
+        "OctoMaps, if subscribed [s] | plain "
         "[s] | plain : refresh |\n"
-        "|---|---|---|---|---|---|---|---|---|---|---|---|---|");
+        "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
     for (const double minutes : {5.0, 10.0, 30.0, 60.0}) {
       sfw::Mapper mapper(sfw::Config(), scenario.access_points);
       for (const sfw::Reading& reading : recording.readings) {
