@@ -1,10 +1,10 @@
-// How much CPU time the mapper spends to refresh a live map of a long drive, by stages, beside the
-// same solution written down plainly in the same run: each ray walked anew in each iteration, and
-// products with the dense precision. That stays apart from how fast the machine is.
+// Measures the CPU time of refreshing a live map of a long drive, by stages. A plain solution in
+// the same run, which walks each ray in each iteration and multiplies by the dense precision, gives
+// a ratio that does not depend on the machine.
 //
 // Usage: refresh_benchmark
-// Runs on a drive through a made-up office floor of 400 m2 with three access points, cut after 5,
-// 10, 30 and 60 minutes. All is counted on one core: the process has one thread.
+// The drive passes a generated office floor of 400 m2 with three access points; it is cut after 5,
+// 10, 30 and 60 minutes. The process has one thread.
 
 #include <octomap/OcTree.h>
 #include <ros/serialization.h>
@@ -33,12 +33,12 @@
 namespace sfw {
 namespace {
 
-constexpr int kRepetitions = 3;  // the least counts: the others were disturbed
+constexpr int kRepetitions = 3;  // the smallest time counts: other processes disturbed the others
 constexpr double kMinute = 60.0;
 constexpr double kLongest = 60.0 * kMinute;
 constexpr double kRobotRadius = 0.15;  // [m]
 
-volatile double consumed = 0.0;  // so that nothing is optimised away
+volatile double consumed = 0.0;  // keeps the compiler from removing the work
 
 template <class Work>
 double cpuSeconds(Work&& work, int repetitions = kRepetitions) {
@@ -51,8 +51,8 @@ double cpuSeconds(Work&& work, int repetitions = kRepetitions) {
   return best;
 }
 
-/// Along the walls of all rooms, then on patrol, then along the walls at another clearance, and so
-/// on: no two laps hear the same places.
+/// A drive along the walls of all rooms, then on patrol, then along the walls at another clearance,
+/// and so on: no two laps have the same positions.
 Scenario longDrive() {
   BuildingConfig building;
   building.kind = BuildingKind::kOffice;
@@ -76,7 +76,7 @@ Scenario longDrive() {
   return scenario;
 }
 
-/// What the nodelet does with a map before it is on its way.
+/// Makes and serialises the messages that the nodelet publishes of a map.
 double publishedBytes(const Snapshot& snapshot) {
   std_msgs::Header header;
   header.frame_id = "map";
@@ -92,7 +92,7 @@ double publishedBytes(const Snapshot& snapshot) {
   return bytes;
 }
 
-/// What it does besides while somebody listens to OctoMaps.
+/// Makes the OctoMaps, which the nodelet publishes only to subscribers.
 double octomapBytes(const Snapshot& snapshot) {
   const auto tree = toOctomap(snapshot.belief, Config().octomap);
   return static_cast<double>(toBinaryOctomap(*tree, {}).data.size() +
@@ -126,7 +126,7 @@ SignalPrecision precisionOf(AccessPointBins access_point, std::size_t count,
   return {access_point, model};
 }
 
-/// One gradient, the plain way, as many times as all members need; the set-up is not counted.
+/// The time of all gradients of the ensemble, computed plainly, without the set-up.
 double plainSeconds(const std::vector<AccessPointBins>& heard, const WallFieldConfig& config) {
   double sum = 0.0;
   for (const AccessPointBins& one : heard) {
@@ -161,7 +161,7 @@ double plainSeconds(const std::vector<AccessPointBins>& heard, const WallFieldCo
   return sum * 2.0 * config.line.iterations * config.ensemble_size;
 }
 
-/// The path's cells: those that are no way from it.
+/// The path's cells: those at no distance from it.
 Mask pathCells(const CellFeatures& cells) {
   const auto distance = std::find_if(std::begin(kCellFeatureTable), std::end(kCellFeatureTable),
                                      [](const CellFeature& feature) {
@@ -218,15 +218,16 @@ void measure(double minutes, const Mapper& mapper, const std::vector<AccessPoint
   const double inference = cpuSeconds([&] {
     return static_cast<double>(mapper.infer()->belief.occupied({0, 0}));
   });
+  const double sorting = cpuSeconds([&] { return mapper.extent().min().x(); });
   const double publishing = cpuSeconds([&] { return publishedBytes(*snapshot); });
   const double octomaps = cpuSeconds([&] { return octomapBytes(*snapshot); });
   const double refresh = inference + publishing;
   const double plain = plainSeconds(described.access_points, walls);
   std::printf(
-      "| %.0f min | %zu | %zu | %zu | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.1f | %.1f "
-      "|\n",
+      "| %.0f min | %zu | %zu | %zu | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.1f "
+      "| %.1f |\n",
       minutes, mapper.readings().size(), bins, described.cells.cells.size(), precision, wall_field,
-      features, inference - wall_field - features, publishing, refresh, octomaps, plain,
+      features, inference - wall_field - features, sorting, publishing, refresh, octomaps, plain,
       plain / refresh);
 }
 
@@ -238,10 +239,11 @@ int main() {
     const sfw::Scenario scenario = sfw::longDrive();
     const sfw::SimulatedRecording recording = sfw::simulate(scenario);
     std::puts(
-        "| drive | readings | bins | cells judged | precisions [s] | walls, with these [s] |"
-        " features [s] | rest [s] | publishing [s] | refresh [s] | OctoMaps, if heard [s] | plain "
+        "| drive | readings | bins | cells | precisions [s] | walls, with these [s] |"
+        " features [s] | rest, with sorting [s] | sorting [s] | publishing [s] | refresh [s] | "
+        "OctoMaps, if subscribed [s] | plain "
         "[s] | plain : refresh |\n"
-        "|---|---|---|---|---|---|---|---|---|---|---|---|---|");
+        "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
     for (const double minutes : {5.0, 10.0, 30.0, 60.0}) {
       sfw::Mapper mapper(sfw::Config(), scenario.access_points);
       for (const sfw::Reading& reading : recording.readings) {

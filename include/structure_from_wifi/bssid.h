@@ -9,7 +9,7 @@
 
 namespace sfw {
 
-/// Hardware address of an access point's radio: the key that readings and access points share.
+/// The hardware address of an access point's radio: the key of readings and access points.
 class SFW_EXPORT Bssid {
  public:
   /// Reads six pairs of hexadecimal digits joined by ':' or '-', in either case.

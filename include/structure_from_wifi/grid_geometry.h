@@ -21,7 +21,7 @@ struct Cell {
   /// @}
 };
 
-/// Where a grid lies in the map frame and how fine it is. Immutable.
+/// The position, size and resolution of a grid in the map frame. Immutable.
 ///
 /// Cell (0, 0) has its lower left corner at origin(); a point on a cell's lower or left edge
 /// belongs to that cell (floor), so the far edges of the grid lie outside it.
@@ -34,8 +34,8 @@ class SFW_EXPORT GridGeometry {
   GridGeometry(double resolution_m, const Position& origin, std::int64_t width,
                std::int64_t height);
 
-  /// Farthest from the frame's origin that a map's own may lie [cells]. Beyond, single precision,
-  /// MRPT's and most consumers', does not tell neighbouring cells apart.
+  /// The farthest that a map's origin may lie from the frame's origin [cells]. Farther out, single
+  /// precision, as in MRPT and most consumers, does not distinguish neighbouring cells.
   static constexpr double kFarthestMap = 2097152.0;
 
   /// The smallest grid around `box` whose edges are whole multiples of `step_m`.
@@ -122,13 +122,13 @@ struct Grid {
 /// Column and row of a grid's first cell on the lattice through the map frame's origin.
 SFW_EXPORT Cell latticeCell(const GridGeometry& geometry);
 
-/// Farthest from the map frame's origin that OctoMap's 16-bit keys reach [cells].
+/// The distance from the map frame's origin that OctoMap's 16-bit keys reach [cells].
 constexpr std::int64_t kOctomapReach = 32768;
 
 /// Whether OctoMap can hold a grid: kOctomapReach voxels from the frame's origin each way.
 SFW_EXPORT bool octomapReaches(const GridGeometry& geometry);
 
-/// What a map says of a cell.
+/// The state of a cell in a map.
 enum class CellState : std::uint8_t { kUnknown, kFree, kOccupied };
 
 }  // namespace sfw

@@ -10,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/warnings.h"
 #include "ros/bags/bag_reader.h"
+#include "ros/conversion/input_messages.h"
 #include "structure_from_wifi/data_checks.h"
 #include "structure_from_wifi/input_error.h"
 #include "structure_from_wifi/map_files.h"
@@ -23,7 +24,7 @@ namespace {
 struct MapOptions {
   std::string readings;
   std::string bag;
-  BagTopics topics;
+  BagTopics topics = defaultBagTopics();
   std::string map_frame;
   std::string antenna_frame;
   std::string access_points;
@@ -60,18 +61,18 @@ Mapper mapperFor(const std::string& access_points, const Config& config) {
   }
 }
 
-void insertBag(const MapOptions& options, const Config::Ros& config, Mapper& mapper) {
+void insertBag(const MapOptions& options, const Config& config, Mapper& mapper) {
   const BagReading reading = readBag(options.bag, options.topics, config, mapper);
-  if (reading.malformed > 0) {
-    mapper.recordRejected("bssid, age or cloud is malformed", reading.malformed);
-    warn(options.bag + ": " + std::to_string(reading.malformed) +
-         " readings or contacts left out: bssid, age or the cloud's fields are malformed");
+  for (const auto& [problem, count] : reading.rejected) {
+    mapper.recordRejected(problem, count);
+    warn(options.bag + ": " + std::to_string(count) + " readings or contacts left out: " + problem);
   }
-  if (reading.unplaced > 0) {
-    mapper.recordRejected("no transform at their stamp", reading.unplaced);
-    warn(options.bag + ": " + std::to_string(reading.unplaced) +
-         " readings left out: no transform from " + config.antenna_frame + " to " +
-         config.map_frame + " at their stamp (" + reading.reason + ")");
+  if (reading.unlocated > 0) {
+    mapper.recordRejected("no transform at their stamp", reading.unlocated);
+    warn(options.bag + ": " + std::to_string(reading.unlocated) +
+         " readings left out: the bag has no transform from " + config.ros.antenna_frame + " to " +
+         config.ros.map_frame + " at their stamp; name the frames with --antenna-frame and " +
+         "--map-frame. tf's error: " + reading.tf_error);
   }
 }
 
@@ -120,7 +121,7 @@ void run(const MapOptions& options) {
       mapper.recordRejected(reason, skipped.count);
     }
   } else {
-    insertBag(options, config.ros, mapper);
+    insertBag(options, config, mapper);
   }
   if (!options.contacts.empty()) {
     for (const Contact& contact : readContacts(options.contacts)) {
@@ -155,11 +156,14 @@ void runMap(Options& options) {
               "CSV with the columns stamp, x, y, bssid, rssi_dbm; exactly one of --readings and "
               "--bag is needed");
   options.add("bag", "FILE", map.bag, "bag with /tf and scans");
-  options.add("scan-topic", "TOPIC", map.topics.wifi_scan, "WifiScan messages in the bag");
-  options.add("connection-topic", "TOPIC", map.topics.connection,
-              "wireless_msgs/Connection messages in the bag");
-  options.add("contact-topic", "TOPIC", map.topics.contact_points,
-              "PointCloud2 messages of bumpers in the bag");
+  forEachInput([&](const auto& input) {
+    using Message = typename std::decay_t<decltype(input)>::Message;
+    const std::string type = ros::message_traits::DataType<Message>::value();
+    if (input.bag_option != nullptr) {
+      options.add(input.bag_option, "TOPIC", map.topics[input.topic],
+                  type + " messages in the bag");
+    }
+  });
   options.add("map-frame", "FRAME", map.map_frame, "for a bag; default: the setting ros/map_frame");
   options.add("antenna-frame", "FRAME", map.antenna_frame,
               "for a bag; default: the setting ros/antenna_frame");

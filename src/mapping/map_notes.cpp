@@ -50,12 +50,12 @@ void addNoteOnPath(const Snapshot& snapshot, Notes& notes) {
   const Eigen::Vector2d spread = spreadOf(snapshot.path);
   if (spread[0] < kStanding) {
     notes.push_back({MapNote::Kind::kTooLittle, "",
-                     "the robot hardly moved: the map shows little but its place; drive it through "
-                     "the building"});
+                     "the robot hardly moved, so the map shows little but its position; drive it "
+                     "through the building"});
   } else if (spread[1] < kStraight) {
     notes.push_back({MapNote::Kind::kTooLittle, "",
-                     "the path is straight: it does not tell what lies beside it; drive through "
-                     "the rooms, and along their walls"});
+                     "the path is straight and contains no information about the area beside it; "
+                     "drive through the rooms and along their walls"});
   }
 }
 
@@ -63,11 +63,12 @@ void addNoteOnStrayPoses(const StrayPoses& stray, Notes& notes) {
   if (stray.count > 0) {
     notes.push_back({MapNote::Kind::kStrayPoses, "",
                      counted(stray.count, "pose is", "poses are") +
-                         " left out, with all that was heard there: up to " +
+                         " left out with the readings there: up to " +
                          std::to_string(std::lround(stray.farthest_m)) +
-                         " m away, where the robot cannot have got so fast; the first one at " +
+                         " m away, farther than the robot can drive in that time; the first one "
+                         "is at " +
                          secondsText(stray.first_stamp_ns) +
-                         "; look at what its localisation did"});
+                         "; check the localisation at that time"});
   }
 }
 
@@ -77,24 +78,24 @@ void addNoteOnMotion(const PathMotion& motion, Notes& notes) {
     notes.push_back({MapNote::Kind::kMotion, "",
                      "half of the path's steps are faster than " +
                          std::to_string(std::lround(motion.usual_speed_m_s)) +
-                         " m/s: look whether each pose has its own stamp, in seconds"});
+                         " m/s; check that each pose has its own stamp, in seconds"});
   } else if (motion.jumps > 0) {
     notes.push_back({MapNote::Kind::kMotion, "",
-                     "the path jumps " + counted(motion.jumps, "time", "times") +
-                         " and stays there, by up to " +
-                         std::to_string(std::lround(motion.farthest_jump_m)) + " m, first at " +
+                     "the path jumps " + counted(motion.jumps, "time", "times") + ", by up to " +
+                         std::to_string(std::lround(motion.farthest_jump_m)) +
+                         " m, and goes on from there; the first jump is at " +
                          secondsText(motion.first_jump_stamp_ns) +
-                         ": what it says before and after fits together only if both places are "
-                         "right"});
+                         "; the parts of the map before and after a jump may be misaligned: check "
+                         "the localisation"});
   }
 }
 
 void addNoteOnStamps(std::size_t stamped_alike, Notes& notes) {
   if (stamped_alike > 0) {
     notes.push_back({MapNote::Kind::kStamps, "",
-                     counted(stamped_alike, "reading counts", "readings count") +
-                         " for nothing: the same radio was heard stronger at the same stamp, but "
-                         "at another place; look whether stamps are cut, as to whole seconds"});
+                     counted(stamped_alike, "reading is", "readings are") +
+                         " not used: the same radio has a stronger reading at the same stamp and "
+                         "another position; check whether stamps are rounded, such as to seconds"});
   }
 }
 
@@ -108,9 +109,10 @@ bool isOneStamp(const Snapshot& snapshot) {
 void addNotesOnDrive(const Snapshot& snapshot, Notes& notes) {
   if (isOneStamp(snapshot)) {
     notes.push_back({MapNote::Kind::kStamps, "",
-                     "all readings bear one stamp, of each radio only the strongest counts (" +
+                     "all readings have the same stamp, so the map uses only the strongest one of "
+                     "each radio (" +
                          std::to_string(snapshot.stamped_alike) +
-                         " do not): give each scan the time when it was made"});
+                         " are not used); stamp each scan with the time of its reception"});
     return;
   }
   addNoteOnPath(snapshot, notes);
@@ -122,35 +124,35 @@ void addNotesOnDrive(const Snapshot& snapshot, Notes& notes) {
 void addNoteOnSignals(const Snapshot& snapshot, Notes& notes) {
   constexpr std::size_t kFewReadings = 50;
   constexpr double kAlike = 0.5;  // [dB], half a step of most radios
-  std::size_t heard = 0;
+  std::size_t all_readings = 0;
   std::size_t readings = 0;
   double deviation_db = 0.0;
   for (const AccessPointSummary& summary : snapshot.access_points) {
-    heard += summary.readings;
+    all_readings += summary.readings;
     if (hasPosition(summary)) {
       readings += summary.readings;
       deviation_db = std::max(deviation_db, summary.rssi_deviation_db);
     }
   }
-  if (heard == 0) {
+  if (all_readings == 0) {
     notes.push_back(
         {MapNote::Kind::kTooLittle, "",
-         "no reading of an access point of the table can be used: the map shows at most what "
-         "the path alone tells"});
+         "no reading of an access point of the table can be used: the map follows from the path "
+         "alone; compare the BSSIDs"});
   } else if (readings == 0) {
     notes.push_back({MapNote::Kind::kTooLittle, "",
-                     "no access point that was heard has a place: the map shows what the path "
-                     "alone tells; list access points with their positions"});
+                     "no access point with readings has a position: the map follows from the path "
+                     "alone; add positions to the table of access points"});
   } else if (isOneStamp(snapshot)) {
-    return;  // there are few readings, and it is told why
+    return;  // there are few readings, and another note says why
   } else if (readings < kFewReadings) {
     notes.push_back({MapNote::Kind::kTooLittle, "",
                      "only " + counted(readings, "reading is", "readings are") +
-                         " of access points with a place: too few to tell of walls"});
+                         " of access points with a position: too few to find walls; drive on"});
   } else if (deviation_db < kAlike) {
     notes.push_back({MapNote::Kind::kSignals, "",
-                     "all signals of an access point are alike: they tell nothing of walls; look "
-                     "whether the wireless driver reports RSSI"});
+                     "all signals of an access point are equal and contain no information about "
+                     "walls; check that the wireless driver reports RSSI"});
   }
 }
 
@@ -166,12 +168,12 @@ void addNoteOnStrength(const Snapshot& snapshot, Notes& notes) {
   if (static_cast<double>(at_zero) > kMany * static_cast<double>(readings)) {
     notes.push_back({MapNote::Kind::kSignals, "strength",
                      counted(at_zero, "reading is", "readings are") +
-                         " of 0 dBm, stronger than radios are heard: leave out what a driver says "
-                         "of radios that it does not hear"});
+                         " of 0 dBm, more than any radio receives; leave out the readings that the "
+                         "driver reports for inaudible radios"});
   }
 }
 
-/// Of several that are heard, one may just be far away; a name says which to look for.
+/// An access point without readings may just be far away; its name says which one to look for.
 void addNoteOnSilence(const Snapshot& snapshot, Notes& notes) {
   constexpr std::size_t kMostNamed = 5;
   std::string names;
@@ -185,26 +187,26 @@ void addNoteOnSilence(const Snapshot& snapshot, Notes& notes) {
     notes.push_back({MapNote::Kind::kTooLittle, "",
                      std::to_string(silent) + " of " +
                          std::to_string(snapshot.access_points.size()) +
-                         " access points of the table were never heard: " + names +
+                         " access points of the table have no reading: " + names +
                          (silent > kMostNamed ? ", ..." : "")});
   }
 }
 
-/// On a place that is a guess, or not where the table has it.
-void addNoteOnPlace(const AccessPointSummary& summary, const AccessPointFit* fit, Notes& notes) {
+/// On a position that is uncertain, or that contradicts the readings.
+void addNoteOnPosition(const AccessPointSummary& summary, const AccessPointFit* fit, Notes& notes) {
   const std::string name = summary.access_point.bssid.str();
   if (summary.estimate && summary.estimate->ambiguous) {
-    notes.push_back({MapNote::Kind::kAccessPoint, name,
-                     name +
-                         " may stand at several places, as on either side of a straight way: the "
-                         "map reckons with the likeliest; measure its position, or drive around "
-                         "it"});
+    notes.push_back(
+        {MapNote::Kind::kAccessPoint, name,
+         name + " has several likely positions, such as on both sides of a straight path; the "
+                "map uses the likeliest one; measure its position, or drive around it"});
   }
   if (fit != nullptr && fit->suspect) {
     std::ostringstream text;
-    text << std::fixed << std::setprecision(1) << name << ": its readings fit a place "
+    text << std::fixed << std::setprecision(1) << name << ": its readings fit a position "
          << fit->distance_m << " m away, at (" << fit->estimate.position.x() << ", "
-         << fit->estimate.position.y() << "), much better than the one given";
+         << fit->estimate.position.y()
+         << "), much better than the given one; measure its position again";
     notes.push_back({MapNote::Kind::kAccessPoint, name, text.str()});
   }
 }
@@ -220,18 +222,17 @@ std::vector<MapNote> mapNotes(const Snapshot& snapshot, const DataFindings& find
   addNoteOnStrength(snapshot, notes);
   addNoteOnSilence(snapshot, notes);
   for (std::size_t i = 0; i < snapshot.access_points.size(); ++i) {
-    addNoteOnPlace(snapshot.access_points[i], findings.fit(i), notes);
+    addNoteOnPosition(snapshot.access_points[i], findings.fit(i), notes);
   }
   if (!octomapReaches(snapshot.belief.geometry())) {
     notes.push_back({MapNote::Kind::kOctomap, "",
-                     "there is no OctoMap: it ends 32768 cells from the frame's origin, and this "
-                     "map lies beyond; use a frame that begins nearer, or larger cells "
-                     "(map/resolution)"});
+                     "there is no OctoMap: the map lies more than 32768 cells from the frame's "
+                     "origin; use a frame with a nearer origin, or raise map/resolution"});
   }
   if (findings.drift && findings.drift->suspect) {
     notes.push_back({MapNote::Kind::kDrift, "",
-                     "the path looks as if it drifted: where it comes back to a place, signals "
-                     "differ as they do from room to room"});
+                     "the path seems to have drifted: where it returns to a place, signals differ "
+                     "as much as from room to room; improve the localisation"});
   }
   return notes;
 }

@@ -79,11 +79,11 @@ const char* toString(InsertResult result) {
     case InsertResult::kPositionNotFinite:
       return "position is not finite";
     case InsertResult::kPositionTooFar:
-      return "position is so far out that the map would pass map/max_cells";
+      return "position is so far away that the map would exceed map/max_cells";
     case InsertResult::kRssiNotFinite:
       return "rssi_dbm is not finite";
     case InsertResult::kRssiOutOfRange:
-      return "rssi_dbm is not in (-120, 0] (percent, or a driver's \"not heard\"?)";
+      return "rssi_dbm is not in (-120, 0] (a percentage, or an inaudible radio?)";
     case InsertResult::kUnknownAccessPoint:
       return "bssid is not in the table of access points";
     case InsertResult::kTooManyReadings:

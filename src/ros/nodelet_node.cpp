@@ -1,5 +1,5 @@
-// A node that loads one nodelet and lives as long as it does. Compiled once for each, with
-// SFW_NODE, the node's default name, and SFW_NODELET, the nodelet's, defined.
+// A node that loads one nodelet. It is compiled once for each nodelet, with SFW_NODE, the node's
+// default name, and SFW_NODELET, the nodelet's name, defined.
 
 #include <nodelet/loader.h>
 #include <ros/ros.h>
@@ -8,8 +8,8 @@
 
 namespace {
 
-/// True if something besides the log comes out of this node. onInit must not throw, so a nodelet
-/// that cannot use its parameters loads all the same; what it does not do is advertise.
+/// Whether the nodelet advertises anything besides the log. onInit must not throw, so a nodelet
+/// with unusable parameters loads all the same, but it advertises nothing.
 bool somethingIsAdvertised() {
   ros::V_string topics;
   ros::this_node::getAdvertisedTopics(topics);

@@ -116,7 +116,7 @@ class PoseAstray(CommandLine):
                             "map: {max_cells: 3000, growth_step: 0.5, margin: 0.1}")
         readings = self.write("path.csv", "\n".join(path))
         self.bad(self.map("--config", config, readings=readings, access_points=table),
-                 "map/max_cells (3000)", "astray")
+                 "map/max_cells (3000)", "stray poses")
 
 
 class BadConfig(CommandLine):

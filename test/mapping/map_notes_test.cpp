@@ -37,7 +37,7 @@ std::vector<std::string> textsOf(const Snapshot& snapshot, const DataFindings& f
 }
 
 /// Maps a drive with both methods: the same notes have to come from either.
-std::string notesOf(const Place& place, const Signal& signal, int count, int heard = 1) {
+std::string notesOf(const Place& place, const Signal& signal, int count, int radio = 1) {
   std::optional<std::string> notes;
   for (const char* method : {"tomography", "k_visibility"}) {
     Config config = test::rawConfig();
@@ -45,7 +45,7 @@ std::string notesOf(const Place& place, const Signal& signal, int count, int hea
     Mapper mapper(config, {test::accessPoint(1, kAccessPoint.x(), kAccessPoint.y())});
     for (int i = 0; i < count; ++i) {
       const Position at = place(i);
-      mapper.insert(test::reading(i, at.x(), at.y(), signal(at), heard));
+      mapper.insert(test::reading(i, at.x(), at.y(), signal(at), radio));
     }
     const auto snapshot = mapper.infer();
     EXPECT_TRUE(snapshot);
@@ -60,62 +60,62 @@ std::string notesOf(const Place& place, const Signal& signal, int count, int hea
   return *notes;
 }
 
-bool tells(const std::string& notes, const char* what) {
-  return notes.find(what) != std::string::npos;
+bool contain(const std::string& notes, const char* text) {
+  return notes.find(text) != std::string::npos;
 }
 
-TEST(MapNotes, AreSilentAboutAGoodDrive) { EXPECT_EQ(notesOf(lanes, fading, 400), ""); }
+TEST(MapNotes, AreEmptyForAGoodDrive) { EXPECT_EQ(notesOf(lanes, fading, 400), ""); }
 
-TEST(MapNotes, TellOfOneReading) {
+TEST(MapNotes, ReportASingleReading) {
   const std::string notes = notesOf(lanes, fading, 1);
-  EXPECT_TRUE(tells(notes, "hardly moved")) << notes;
-  EXPECT_TRUE(tells(notes, "only 1 reading is")) << notes;
+  EXPECT_TRUE(contain(notes, "hardly moved")) << notes;
+  EXPECT_TRUE(contain(notes, "only 1 reading is")) << notes;
 }
 
-TEST(MapNotes, TellOfAStraightPathInAnyDirection) {
+TEST(MapNotes, ReportAStraightPathInAnyDirection) {
   for (const double bearing : {0.0, 0.6, 1.57}) {
     const auto straight = [&](int i) {
       return Position(0.1 * i * std::cos(bearing), 0.1 * i * std::sin(bearing));
     };
     const std::string notes = notesOf(straight, fading, 80);
-    EXPECT_TRUE(tells(notes, "path is straight")) << notes;
+    EXPECT_TRUE(contain(notes, "path is straight")) << notes;
   }
 }
 
-TEST(MapNotes, TellOfSignalsThatAreAlike) {
+TEST(MapNotes, ReportEqualSignals) {
   const std::string notes = notesOf(
       lanes, [](const Position&) { return -60.0; }, 400);
-  EXPECT_TRUE(tells(notes, "alike")) << notes;
+  EXPECT_TRUE(contain(notes, "are equal and contain no information")) << notes;
 }
 
-TEST(MapNotes, TellThatOnlyStrangersWereHeard) {
+TEST(MapNotes, ReportThatAllRadiosAreUnknown) {
   const std::string notes = notesOf(lanes, fading, 400, 2);
-  EXPECT_TRUE(tells(notes, "no reading of an access point of the table can be used")) << notes;
+  EXPECT_TRUE(contain(notes, "no reading of an access point of the table can be used")) << notes;
 }
 
-TEST(MapNotes, TellThatNothingWasHeard) {
+TEST(MapNotes, ReportThatThereIsNoReading) {
   const Mapper mapper(test::rawConfig(), {test::accessPoint(1, 2.0, 1.5)});
   EXPECT_EQ(
       textsOf(*mapper.infer()),
       (std::vector<std::string>{
           "no pose is known: the map is empty",
-          "no reading of an access point of the table can be used: the map shows at most what "
-          "the path alone tells"}));
+          "no reading of an access point of the table can be used: the map follows from the path "
+          "alone; compare the BSSIDs"}));
   for (const MapNote& note : mapNotes(*mapper.infer())) {
     EXPECT_FALSE(isFault(note)) << note.text;  // each drive begins so
   }
 }
 
-TEST(MapNotes, TellOfSignalsStrongerThanAnyRadioIsHeard) {
+TEST(MapNotes, ReportSignalsThatNoRadioReceives) {
   int reading = 0;
   const auto sometimes_zero = [&](const Position& at) {
     return ++reading % 20 == 0 ? 0.0 : fading(at);
   };
   const std::string notes = notesOf(lanes, sometimes_zero, 400);
-  EXPECT_TRUE(tells(notes, "20 readings are of 0 dBm")) << notes;
+  EXPECT_TRUE(contain(notes, "20 readings are of 0 dBm")) << notes;
 }
 
-TEST(MapNotes, TellThatNothingHeardHasAPlace) {
+TEST(MapNotes, ReportThatNoRadioHasAPosition) {
   AccessPoint unplaced = test::accessPoint(1, 0.0, 0.0);
   unplaced.position_known = false;
   Mapper mapper(test::rawConfig(), {unplaced});
@@ -124,10 +124,10 @@ TEST(MapNotes, TellThatNothingHeardHasAPlace) {
   }
   const std::vector<std::string> notes = textsOf(*mapper.infer());
   ASSERT_EQ(notes.size(), 1U);
-  EXPECT_EQ(notes[0].rfind("no access point that was heard has a place", 0), 0U) << notes[0];
+  EXPECT_EQ(notes[0].rfind("no access point with readings has a position", 0), 0U) << notes[0];
 }
 
-TEST(MapNotes, AreSilentAboutWhatStrangersAreHeardWith) {
+TEST(MapNotes, IgnoreTheSignalsOfUnknownRadios) {
   Mapper mapper(test::rawConfig(), {test::accessPoint(1, 2.0, 1.5)});
   for (int i = 0; i < 400; ++i) {
     mapper.insert(test::reading(i, lanes(i).x(), lanes(i).y(), fading(lanes(i))));
@@ -136,7 +136,7 @@ TEST(MapNotes, AreSilentAboutWhatStrangersAreHeardWith) {
   EXPECT_EQ(textsOf(*mapper.infer()), std::vector<std::string>());
 }
 
-TEST(MapNotes, AreSilentAboutAFewStrongReadings) {
+TEST(MapNotes, IgnoreAFewStrongReadings) {
   int reading = 0;
   const auto seldom_zero = [&](const Position& at) {
     return ++reading % 200 == 0 ? 0.0 : fading(at);
@@ -144,7 +144,7 @@ TEST(MapNotes, AreSilentAboutAFewStrongReadings) {
   EXPECT_EQ(notesOf(lanes, seldom_zero, 400), "");
 }
 
-TEST(MapNotes, TellOfStampsThatFitNoPose) {
+TEST(MapNotes, ReportStampsThatFitNoPose) {
   Mapper mapper(test::rawConfig(), {test::accessPoint(1, 2.0, 1.5)});
   for (int i = 0; i < 400; ++i) {
     const Position at = lanes(i * 163 % 400);  // each pose has the stamp of another one
@@ -157,7 +157,7 @@ TEST(MapNotes, TellOfStampsThatFitNoPose) {
   EXPECT_EQ(notes[0].rfind("half of the path's steps are faster than", 0), 0U) << notes[0];
 }
 
-TEST(MapNotes, TellOfAnAccessPointAtTheWrongPlace) {
+TEST(MapNotes, ReportAnAccessPointAtAWrongPosition) {
   Mapper mapper(Config(), {test::accessPoint(1, 2.0, 1.5)});
   for (int i = 0; i < 400; ++i) {
     mapper.insert(test::reading(i, lanes(i).x(), lanes(i).y(), fading(lanes(i))));
@@ -171,12 +171,12 @@ TEST(MapNotes, TellOfAnAccessPointAtTheWrongPlace) {
   const DataFindings findings{{fit}, {}};
   EXPECT_EQ(textsOf(*snapshot, findings),
             std::vector<std::string>{
-                "02:00:00:00:00:01: its readings fit a place 3.2 m away, at (5.0, 1.0), much "
-                "better than the one given"});
+                "02:00:00:00:00:01: its readings fit a position 3.2 m away, at (5.0, 1.0), much "
+                "better than the given one; measure its position again"});
   EXPECT_TRUE(isFault(mapNotes(*snapshot, findings)[0]));
 }
 
-TEST(MapNotes, TellOfStampsThatAreCut) {
+TEST(MapNotes, ReportRoundedStamps) {
   Mapper mapper(test::rawConfig(), {test::accessPoint(1, 2.0, 1.5)});
   for (int i = 0; i < 400; ++i) {
     const Position at = lanes(i);
@@ -190,29 +190,29 @@ TEST(MapNotes, TellOfStampsThatAreCut) {
   EXPECT_EQ(
       textsOf(*mapper.infer()),
       std::vector<std::string>{
-          "3 readings count for nothing: the same radio was heard stronger at the same stamp, "
-          "but at another place; look whether stamps are cut, as to whole seconds"});
+          "3 readings are not used: the same radio has a stronger reading at the same stamp and "
+          "another position; check whether stamps are rounded, such as to seconds"});
 }
 
-TEST(MapNotes, TellOfOneStampForAll) {
+TEST(MapNotes, ReportASingleStamp) {
   Mapper mapper(test::rawConfig(), {test::accessPoint(1, 2.0, 1.5)});
   for (int i = 0; i < 400; ++i) {
     mapper.insert(test::reading(7, lanes(i).x(), lanes(i).y(), fading(lanes(i))));
   }
   const auto strongest = textsOf(*mapper.infer());
   ASSERT_EQ(strongest.size(), 1U) << strongest.back();
-  EXPECT_EQ(strongest[0].rfind("all readings bear one stamp", 0), 0U) << strongest[0];
+  EXPECT_EQ(strongest[0].rfind("all readings have the same stamp", 0), 0U) << strongest[0];
 }
 
-TEST(MapNotes, TellOfAPathThatGoesOnElsewhere) {
+TEST(MapNotes, ReportAPathThatGoesOnElsewhere) {
   const auto jumping = [](int i) -> Position {
     return i < 200 ? lanes(i) : Position(lanes(i) + Position(20.0, 0.0));
   };
   const std::string notes = notesOf(jumping, fading, 400);
-  EXPECT_TRUE(tells(notes, "path jumps 1 time and stays there, by up to 20 m")) << notes;
+  EXPECT_TRUE(contain(notes, "path jumps 1 time, by up to 20 m, and goes on from there")) << notes;
 }
 
-TEST(MapNotes, TellOfAnAccessPointThatMayStandAtSeveralPlaces) {
+TEST(MapNotes, ReportAnAccessPointWithSeveralLikelyPositions) {
   AccessPoint unplaced = test::accessPoint(1, 0.0, 0.0);
   unplaced.position_known = false;
   Mapper mapper(Config(), {unplaced});
@@ -227,11 +227,11 @@ TEST(MapNotes, TellOfAnAccessPointThatMayStandAtSeveralPlaces) {
   ASSERT_TRUE(snapshot->access_points[0].estimate->ambiguous);
   const std::vector<std::string> notes = textsOf(*snapshot);
   EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
-    return note.rfind("02:00:00:00:00:01 may stand at several places", 0) == 0;
+    return note.rfind("02:00:00:00:00:01 has several likely positions", 0) == 0;
   }));
 }
 
-TEST(MapNotes, TellThatOctoMapEndsBeforeTheMap) {
+TEST(MapNotes, ReportAMapBeyondOctoMap) {
   const auto far = [](int i) -> Position { return lanes(i) + Position(10000.0, 0.0); };
   const auto far_signal = [](const Position& at) {
     return fading(Position(at - Position(10000.0, 0.0)));
@@ -245,7 +245,7 @@ TEST(MapNotes, TellThatOctoMapEndsBeforeTheMap) {
   EXPECT_EQ(notes[0].rfind("there is no OctoMap", 0), 0U) << notes[0];
 }
 
-TEST(MapNotes, NameAccessPointsThatWereNeverHeard) {
+TEST(MapNotes, NameAccessPointsWithoutReading) {
   const Config config = test::rawConfig();
   Mapper mapper(config, {test::accessPoint(1, 2.0, 1.5), test::accessPoint(2, 3.0, 3.0),
                          test::accessPoint(3, 0.0, 0.0)});
@@ -253,7 +253,7 @@ TEST(MapNotes, NameAccessPointsThatWereNeverHeard) {
     mapper.insert(test::reading(i, lanes(i).x(), lanes(i).y(), fading(lanes(i))));
   }
   EXPECT_EQ(textsOf(*mapper.infer()),
-            std::vector<std::string>{"2 of 3 access points of the table were never heard: "
+            std::vector<std::string>{"2 of 3 access points of the table have no reading: "
                                      "02:00:00:00:00:02, 02:00:00:00:00:03"});
 }
 

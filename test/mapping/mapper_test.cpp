@@ -126,7 +126,7 @@ TEST(Mapper, FreesTheCellUnderARobotOnTheAccessPoint) {
   EXPECT_EQ(snapshot->path.front().walls, 0);
 }
 
-TEST(Mapper, StopsWhenTold) {
+TEST(Mapper, ReturnsNothingWhenStopped) {
   const std::atomic<bool> stop{true};
   EXPECT_EQ(mapperOf(drive()).infer(stop), nullptr);
 }

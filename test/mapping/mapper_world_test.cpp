@@ -81,7 +81,7 @@ std::vector<AccessPoint> tableOf(const std::vector<Position>& positions) {
   return table;
 }
 
-/// A map from signals that tell wall counts without fail: -30 dBm less a loss for each wall. Counts
+/// A map from signals that give exact wall counts: -30 dBm less a loss for each wall. Counts
 /// come from the world as drawn; positions are moved afterwards.
 template <class Move>
 std::shared_ptr<const Snapshot> mapOf(Move&& move, double wall_loss_db = 10.0) {

@@ -1,4 +1,4 @@
-// What the mapping nodelet tells of access points: given rightly, given wrongly, not given.
+// The mapping nodelet with access points at right, wrong and unknown positions.
 
 #include <gtest/gtest.h>
 #include <rosgraph_msgs/Log.h>
@@ -30,8 +30,8 @@ class AccessPointsTest : public NodeletWorld {
     ros::NodeHandle node;
     subscribers_.push_back(node.subscribe<structure_from_wifi::AccessPoints>(
         name_ + "/access_points", 10,
-        [this](const structure_from_wifi::AccessPointsConstPtr& told) {
-          reported_faults_ = told;
+        [this](const structure_from_wifi::AccessPointsConstPtr& message) {
+          published_ = message;
         }));
     subscribers_.push_back(node.subscribe<visualization_msgs::MarkerArray>(
         name_ + "/markers", 10,
@@ -52,7 +52,7 @@ class AccessPointsTest : public NodeletWorld {
 
   void send(int first, int last) {
     Random random(1, 2, 3);
-    const auto heardFrom = [&](const Position& place, const Position& access_point) {
+    const auto rssiAt = [&](const Position& place, const Position& access_point) {
       const double distance = std::max(0.3, (place - access_point).norm());
       return static_cast<float>(-40.0 - 20.0 * std::log10(distance) + random.normal());
     };
@@ -60,9 +60,9 @@ class AccessPointsTest : public NodeletWorld {
       const int lane = i / 80;
       const Position place(0.1 * (lane % 2 == 0 ? i % 80 : 80 - i % 80), lane);
       sendPose(0.1 * i, place.x(), place.y());
-      sendScan(0.1 * i, {{kNear, heardFrom(place, {2.0, 1.5})},
-                         {kFar, heardFrom(place, {6.0, 4.5})},
-                         {kLost, heardFrom(place, {5.0, 1.0})}});
+      sendScan(0.1 * i, {{kNear, rssiAt(place, {2.0, 1.5})},
+                         {kFar, rssiAt(place, {6.0, 4.5})},
+                         {kLost, rssiAt(place, {5.0, 1.0})}});
       ros::Time::setNow(at(0.1 * i));
       ros::WallDuration(0.001).sleep();
     }
@@ -76,8 +76,8 @@ class AccessPointsTest : public NodeletWorld {
   }
 
   bool isJudged() {
-    return reported_faults_ && reported_faults_->access_points.size() == 3U &&
-           std::isfinite(reported_faults_->access_points[1].fit_db);
+    return published_ && published_->access_points.size() == 3U &&
+           std::isfinite(published_->access_points[1].fit_db);
   }
 
   /// Of that group and number, or nullptr.
@@ -92,25 +92,25 @@ class AccessPointsTest : public NodeletWorld {
 
   std::vector<ros::Subscriber> subscribers_;
   std::vector<std::string> logged_;
-  structure_from_wifi::AccessPointsConstPtr reported_faults_;
+  structure_from_wifi::AccessPointsConstPtr published_;
   visualization_msgs::MarkerArrayConstPtr markers_;
 };
 
-TEST_F(AccessPointsTest, TellsWhichPositionsAgreeWithWhatWasHeard) {
+TEST_F(AccessPointsTest, PublishesWhichPositionsAgreeWithTheReadings) {
   drive(kSteps);
   ASSERT_TRUE(spinUntil([&] { return isJudged(); }, 30.0));
-  const structure_from_wifi::AccessPoint& right = reported_faults_->access_points[0];
+  const structure_from_wifi::AccessPoint& right = published_->access_points[0];
   EXPECT_FALSE(right.estimated);
   EXPECT_FALSE(right.suspect);
   EXPECT_LT(right.fit_db, 2.0);
   EXPECT_NEAR(right.seems_to_stand_at.x, 2.0, 0.5);
-  const structure_from_wifi::AccessPoint& wrong = reported_faults_->access_points[1];
+  const structure_from_wifi::AccessPoint& wrong = published_->access_points[1];
   EXPECT_TRUE(wrong.suspect);
   EXPECT_GT(wrong.fit_db, right.fit_db);
   EXPECT_EQ(wrong.position.x, 2.0) << "is used as given all the same";
   EXPECT_NEAR(wrong.seems_to_stand_at.x, 6.0, 0.7);
   EXPECT_NEAR(wrong.seems_to_stand_at.y, 4.5, 0.7);
-  const structure_from_wifi::AccessPoint& lost = reported_faults_->access_points[2];
+  const structure_from_wifi::AccessPoint& lost = published_->access_points[2];
   EXPECT_TRUE(lost.estimated);
   EXPECT_FALSE(lost.suspect);
   EXPECT_TRUE(std::isnan(lost.fit_db));
@@ -123,20 +123,20 @@ TEST_F(AccessPointsTest, TellsWhichPositionsAgreeWithWhatWasHeard) {
 }
 
 TEST_F(AccessPointsTest, WarnsOfAWrongPositionWhileTheRobotDrives) {
-  const std::string warning = std::string(kFar) + ": its readings fit a place";
+  const std::string warning = std::string(kFar) + ": its readings fit a position";
   constexpr int kMost = kSteps - 80;
   send(0, kMost);
   ASSERT_TRUE(spinUntil([&] { return warnings(warning) > 0; }, 30.0)) << "nobody saves the map";
-  reported_faults_.reset();
+  published_.reset();
   send(kMost, kSteps);
-  ASSERT_TRUE(spinUntil([&] { return reported_faults_ != nullptr; }, 30.0));
+  ASSERT_TRUE(spinUntil([&] { return published_ != nullptr; }, 30.0));
   EXPECT_EQ(warnings(warning), 1U) << "once is enough";
-  EXPECT_EQ(warnings(std::string(kNear) + ": its readings fit a place"), 0U);
+  EXPECT_EQ(warnings(std::string(kNear) + ": its readings fit a position"), 0U);
 }
 
-TEST_F(AccessPointsTest, WarnsAsLongAsNothingIsHeard) {
-  EXPECT_TRUE(spinUntil(
-      [&] { return warnings("Nothing was heard yet on " + name_ + "/wifi_scan") > 0; }, 30.0));
+TEST_F(AccessPointsTest, WarnsUntilTheFirstReading) {
+  EXPECT_TRUE(
+      spinUntil([&] { return warnings("No reading yet on " + name_ + "/wifi_scan") > 0; }, 30.0));
 }
 
 TEST_F(AccessPointsTest, ShowsWhatIsEstimatedAndWhatIsSuspect) {
@@ -149,7 +149,7 @@ TEST_F(AccessPointsTest, ShowsWhatIsEstimatedAndWhatIsSuspect) {
   }
   EXPECT_NE(marker("access_points", 0)->color, marker("access_points", 1)->color);
   EXPECT_EQ(marker("names", 0)->text, kNear);
-  EXPECT_NE(marker("names", 1)->text.find("sounds as if 4."), std::string::npos)
+  EXPECT_NE(marker("names", 1)->text.find("readings fit 4."), std::string::npos)
       << marker("names", 1)->text;
   EXPECT_NE(marker("names", 2)->text.find("lost\nestimated, ± "), std::string::npos)
       << marker("names", 2)->text;
@@ -171,11 +171,11 @@ TEST_F(AccessPointsTest, JudgesNothingFromAFewReadings) {
   drive(5);
   ASSERT_TRUE(spinUntil(
       [&] {
-        return reported_faults_ && !reported_faults_->access_points.empty() &&
-               reported_faults_->access_points[0].readings && markers_;
+        return published_ && !published_->access_points.empty() &&
+               published_->access_points[0].readings && markers_;
       },
       5.0));
-  for (const structure_from_wifi::AccessPoint& access_point : reported_faults_->access_points) {
+  for (const structure_from_wifi::AccessPoint& access_point : published_->access_points) {
     EXPECT_TRUE(std::isnan(access_point.fit_db));
     EXPECT_FALSE(access_point.suspect);
     EXPECT_FALSE(access_point.estimated);

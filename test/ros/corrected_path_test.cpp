@@ -101,24 +101,24 @@ TEST_F(CorrectedPathTest, StaysWhereTfSaidIfTheOdometrysFrameIsTheMaps) {
   EXPECT_NEAR(largestOffset(kSteps + 1), kDrift * kStepWay * (kSteps - 1), 1e-3);
 }
 
-TEST_F(CorrectedPathTest, TellsWhereTheAccessPointsAre) {
-  structure_from_wifi::AccessPointsConstPtr told;
+TEST_F(CorrectedPathTest, PublishesTheAccessPoints) {
+  structure_from_wifi::AccessPointsConstPtr published;
   load();
   drive();
   EXPECT_EQ(rows(kSteps).size(), static_cast<std::size_t>(kSteps));
   const ros::Subscriber late = ros::NodeHandle().subscribe<structure_from_wifi::AccessPoints>(
       name_ + "/access_points", 10,
-      [&](const structure_from_wifi::AccessPointsConstPtr& message) { told = message; });
-  ASSERT_TRUE(spinUntil([&] { return told != nullptr; }, 30.0)) << "is not latched";
-  EXPECT_EQ(told->header.frame_id, "map");
-  ASSERT_EQ(told->access_points.size(), 2U);
-  const structure_from_wifi::AccessPoint& far = told->access_points[1];
+      [&](const structure_from_wifi::AccessPointsConstPtr& message) { published = message; });
+  ASSERT_TRUE(spinUntil([&] { return published != nullptr; }, 30.0)) << "is not latched";
+  EXPECT_EQ(published->header.frame_id, "map");
+  ASSERT_EQ(published->access_points.size(), 2U);
+  const structure_from_wifi::AccessPoint& far = published->access_points[1];
   EXPECT_EQ(far.bssid, kFar);
   EXPECT_EQ(far.position.x, 4.0);
   EXPECT_EQ(far.position.y, 3.0);
   EXPECT_FALSE(far.estimated);
   EXPECT_EQ(far.readings, 0U);
-  EXPECT_EQ(told->access_points[0].readings, static_cast<unsigned>(kSteps));
+  EXPECT_EQ(published->access_points[0].readings, static_cast<unsigned>(kSteps));
   for (const double covariance : far.covariance) {
     EXPECT_EQ(covariance, 0.0);
   }

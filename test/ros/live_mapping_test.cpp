@@ -39,9 +39,10 @@ TEST(SharedMapper, TakesReadingsWhileAMapIsInferred) {
   const auto read = [&](int leg, double share) {
     for (const AccessPoint& access_point : access_points) {
       const Position position = positionAt(leg, share);
-      mapper.insert({Reading{++stamp_ns, position, access_point.bssid,
-                             rssiAt(position, access_point.position)},
-                     {}});
+      mapper.insert(
+          {{{++stamp_ns, position, access_point.bssid, rssiAt(position, access_point.position)}},
+           {},
+           {}});
     }
   };
   for (int leg = 0; leg < kLegs; ++leg) {
@@ -74,7 +75,7 @@ TEST(SharedMapper, TakesReadingsWhileAMapIsInferred) {
 
 class LiveMappingTest : public NodeletWorld {
  protected:
-  /// A leg as two poses and one late report of all that was heard in between.
+  /// A leg as two poses and one late scan with all readings in between.
   void sendLeg(int leg) {
     const double start_s = kLegTime * leg;
     for (const double share : {0.0, 1.0}) {

@@ -14,7 +14,7 @@
 #include <thread>
 
 #include "mapping_nodelet_world.h"
-#include "ros/conversion/observation.h"
+#include "ros/conversion/input_messages.h"
 
 namespace sfw {
 namespace {
@@ -141,11 +141,11 @@ TEST_F(MappingNodeletTest, AHugeScanIsCappedAndHoldsNobodyUp) {
   sendScan(0.0, readings);
   EXPECT_EQ(rows(1000).size(), 1000U);
 
-  std::size_t malformed = 0;
   const ros::WallTime start = ros::WallTime::now();
-  EXPECT_EQ(toObservations(scanOf(readings), at(0.0), malformed).size(), 1000U);
+  const Conversion conversion = convertScan(scanOf(readings), {at(0.0), "base_link", 0.15});
   EXPECT_LT((ros::WallTime::now() - start).toSec(), 0.05);
-  EXPECT_EQ(malformed, 9000U);
+  EXPECT_EQ(conversion.observations.size(), 1000U);
+  EXPECT_EQ(conversion.rejected, 9000U);
 }
 
 TEST_F(MappingNodeletTest, WithoutAStampTheTimeOfReceiptCounts) {

@@ -5,9 +5,12 @@
 #include <tf2/buffer_core.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include <algorithm>
+#include <optional>
+#include <type_traits>
+#include <vector>
 
-#include "ros/mapping/observation_queue.h"
+#include "ros/conversion/input_messages.h"
+#include "ros/mapping/insertion.h"
 #include "structure_from_wifi/input_error.h"
 
 namespace sfw {
@@ -33,31 +36,25 @@ void loadTransforms(const rosbag::Bag& bag, tf2::BufferCore& transforms) {
   load("/tf_static", true);
 }
 
-std::vector<Observation> observationsOf(const rosbag::MessageInstance& message,
-                                        const BagTopics& topics, std::size_t& malformed) {
+/// Converts a message if it has the topic and the type of an input.
+Conversion convert(const rosbag::MessageInstance& message, const BagTopics& topics,
+                   const InputContext& context) {
   const std::string topic = plain(message.getTopic());
-  const ros::Time& received = message.getTime();
-  if (topic == plain(topics.wifi_scan)) {
-    if (const auto scan = message.instantiate<structure_from_wifi::WifiScan>()) {
-      return toObservations(*scan, received, malformed);
+  Conversion conversion;
+  forEachInput([&](const auto& input) {
+    using Message = typename std::decay_t<decltype(input)>::Message;
+    const auto recorded = topics.find(input.topic);
+    if (recorded == topics.end() || plain(recorded->second) != topic) {
+      return;
     }
-  } else if (topic == plain(topics.connection)) {
-    if (const auto connection = message.instantiate<wireless_msgs::Connection>()) {
-      return toObservations(*connection, received);
+    if (const auto instance = message.instantiate<Message>()) {
+      conversion = input.convert(*instance, context);
     }
-  } else if (topic == plain(topics.contact_points)) {
-    if (const auto cloud = message.instantiate<sensor_msgs::PointCloud2>()) {
-      try {
-        return {toObservation(*cloud, received)};
-      } catch (const std::runtime_error&) {
-        ++malformed;
-      }
-    }
-  }
-  return {};
+  });
+  return conversion;
 }
 
-BagReading read(const std::string& file, const BagTopics& topics, const Config::Ros& config,
+BagReading read(const std::string& file, const BagTopics& topics, const Config& config,
                 Mapper& mapper) {
   const rosbag::Bag bag(file, rosbag::bagmode::Read);
   rosbag::View view(bag);
@@ -65,27 +62,55 @@ BagReading read(const std::string& file, const BagTopics& topics, const Config::
   tf2::BufferCore transforms(ros::Duration(1e9));
   loadTransforms(bag, transforms);
   BagReading reading;
-  PathCorrector anchor(jumpTolerance(config));
+  PathCorrector corrector(jumpTolerance(config.ros));
+  InputContext context{{}, config.ros.antenna_frame, config.path.footprint_radius_m};
   for (const rosbag::MessageInstance& message : view) {
-    for (const Observation& observation : observationsOf(message, topics, reading.malformed)) {
+    context.received = message.getTime();
+    const Conversion conversion = convert(message, topics, context);
+    if (conversion.rejected > 0) {
+      reading.rejected[conversion.problem] += conversion.rejected;
+    }
+    for (const Observation& observation : conversion.observations) {
       ++reading.observations;
-      if (const auto placed = place(observation, config, transforms, reading.reason)) {
-        insert(*placed, mapper, anchor);
+      if (const auto located = locate(observation, config.ros, transforms, reading.tf_error)) {
+        insert(*located, mapper, corrector);
       } else {
-        ++reading.unplaced;
+        ++reading.unlocated;
       }
     }
   }
-  if (const std::optional<OdometryCorrection> latest = latestFix(config, transforms)) {
-    anchor.insert(*latest);
+  if (const auto latest = latestCorrection(config.ros, transforms)) {
+    corrector.insert(*latest);
   }
-  mapper.correct(anchor.correction());
+  mapper.correct(corrector.correction());
   return reading;
+}
+
+[[noreturn]] void throwNoReading(const std::string& file, const BagTopics& topics) {
+  std::string names;
+  std::string options;
+  forEachInput([&](const auto& input) {
+    if (input.is_radio) {
+      names += (names.empty() ? "" : " or ") + topics.at(input.topic);
+      options += (options.empty() ? "--" : " and --") + std::string(input.bag_option);
+    }
+  });
+  throw InputError(file + ": no reading on " + names + "; name the topics with " + options);
 }
 
 }  // namespace
 
-BagReading readBag(const std::string& file, const BagTopics& topics, const Config::Ros& config,
+BagTopics defaultBagTopics() {
+  BagTopics topics;
+  forEachInput([&](const auto& input) {
+    if (input.bag_option != nullptr) {
+      topics[input.topic] = "/" + std::string(input.topic);
+    }
+  });
+  return topics;
+}
+
+BagReading readBag(const std::string& file, const BagTopics& topics, const Config& config,
                    Mapper& mapper) {
   BagReading reading;
   try {
@@ -94,8 +119,7 @@ BagReading readBag(const std::string& file, const BagTopics& topics, const Confi
     throw InputError(file + ": cannot be read as a bag: " + error.what());
   }
   if (reading.observations == 0) {
-    throw InputError(file + ": no reading on " + topics.wifi_scan + " or " + topics.connection +
-                     "; name the topics with --scan-topic and --connection-topic");
+    throwNoReading(file, topics);
   }
   return reading;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 
 #include "structure_from_wifi/config.h"
@@ -8,25 +9,24 @@
 
 namespace sfw {
 
-/// Names of the topics in a bag, as recorded.
-struct BagTopics {
-  std::string wifi_scan = "/wifi_scan";
-  std::string connection = "/connection";
-  std::string contact_points = "/contact_points";
-};
+/// The name in a bag of each input's topic (forEachInput).
+using BagTopics = std::map<std::string, std::string>;
 
-/// What came out of a bag.
+/// The inputs that bags have, each under the name that the nodelet gives it.
+BagTopics defaultBagTopics();
+
+/// Counts the observations of a bag.
 struct BagReading {
-  std::size_t observations = 0;  ///< readings and contacts found
-  std::size_t unplaced = 0;      ///< of these, those without a transform at their stamp
-  std::size_t malformed = 0;     ///< readings and clouds of contacts left out before
-  std::string reason;            ///< tf's words for the last one without a transform
+  std::size_t observations = 0;                 ///< readings and contacts found
+  std::size_t unlocated = 0;                    ///< of these, those without a transform
+  std::string tf_error;                         ///< of the last one without a transform
+  std::map<std::string, std::size_t> rejected;  ///< readings and clouds left out, by problem
 };
 
-/// Puts the readings and contacts of a bag into a mapper, placed by the bag's own tf, read whole
-/// first: the result does not depend on the order in which messages were recorded.
-/// @throw InputError naming the file if it cannot be read or has none of the topics.
-BagReading readBag(const std::string& file, const BagTopics& topics, const Config::Ros& config,
+/// Inserts the readings and contacts of a bag into a mapper. The bag's tf is read first, so the
+/// order of recording does not matter.
+/// @throw InputError naming the file if it cannot be read or has no reading.
+BagReading readBag(const std::string& file, const BagTopics& topics, const Config& config,
                    Mapper& mapper);
 
 }  // namespace sfw

@@ -44,10 +44,10 @@ void writeScan(rosbag::Bag& bag, Readings::const_iterator begin, Readings::const
   scan.header.stamp = stamp;
   scan.header.frame_id = frames.antenna_frame;
   for (auto reading = begin; reading != end; ++reading) {
-    structure_from_wifi::ApReading heard;
-    heard.bssid = reading->bssid.str();
-    heard.rssi_dbm = static_cast<float>(reading->rssi_dbm);
-    scan.readings.push_back(heard);
+    structure_from_wifi::ApReading message;
+    message.bssid = reading->bssid.str();
+    message.rssi_dbm = static_cast<float>(reading->rssi_dbm);
+    scan.readings.push_back(message);
   }
   bag.write("/wifi_scan", stamp, scan);
 }

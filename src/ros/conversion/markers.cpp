@@ -13,10 +13,10 @@ namespace sfw {
 namespace {
 
 constexpr Colour kViolet{0.75, 0.20, 0.90};  // legible on free and occupied cells alike
-constexpr Colour kOrange{0.95, 0.40, 0.00};  // likewise, and told from violet
+constexpr Colour kOrange{0.95, 0.40, 0.00};  // likewise, and distinct from violet
 constexpr double kAboveMap = 0.03;           // [m]
 constexpr double kLetterHeight = 0.3;        // [m]
-constexpr double kDeviations = 2.0;          // that an ellipse reaches
+constexpr double kDeviations = 2.0;          // from the centre to the rim of an ellipse
 
 std_msgs::ColorRGBA toColour(const Colour& colour, float opacity = 1.0F) {
   std_msgs::ColorRGBA message;
@@ -61,7 +61,7 @@ visualization_msgs::Marker pathMarker(const Snapshot& snapshot, const std_msgs::
   return dots;
 }
 
-/// Half axes of the ellipse of an estimate, and how its longer one lies.
+/// Half axes of the ellipse of an estimate, and the direction of the longer one.
 struct Ellipse {
   double longer_m;
   double shorter_m;

@@ -8,10 +8,11 @@
 
 namespace sfw {
 
-/// What rviz shows beside the map: the path coloured by wall count with the colours' legend, and
-/// access points with their names. One whose position was estimated stands in the ellipse that
-/// holds it with 86 %, two standard deviations; one that was given a position that does not fit its
-/// readings is orange, and a line leads to where it seems to stand.
+/// Draws the path and the access points for rviz.
+///
+/// The path is coloured by wall count, with a legend. Access points have names. An estimated one
+/// stands in an ellipse of two standard deviations, which holds it with 86 %. One whose readings
+/// contradict its given position is orange, with a line to the position that fits.
 visualization_msgs::MarkerArray toMarkers(const Snapshot& snapshot, const DataFindings& findings,
                                           const std_msgs::Header& header);
 

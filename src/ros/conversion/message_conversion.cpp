@@ -40,7 +40,7 @@ nav_msgs::OccupancyGrid toGrid(const GridGeometry& geometry, const std_msgs::Hea
   return message;
 }
 
-/// As the table gives it, exactly there, or as estimated; nowhere (NaN) if it could not be placed.
+/// An access point at its given or estimated position; NaN if it has neither.
 structure_from_wifi::AccessPoint toMessage(const AccessPointSummary& summary,
                                            const AccessPointFit* fit) {
   const AccessPoint& access_point = summary.access_point;

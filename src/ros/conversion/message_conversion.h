@@ -20,15 +20,15 @@ namespace sfw {
 
 geometry_msgs::Point toPoint(const Position& position, double z);
 
-/// Extent of a grid, unrotated.
+/// The extent of a grid, unrotated.
 nav_msgs::MapMetaData toMetaData(const GridGeometry& geometry, const ros::Time& load_time);
 
-/// Only -1, 0 and 100: all that costmap_2d's static layer and amcl read as meant.
+/// A grid of -1, 0 and 100 only, which costmap_2d's static layer and amcl read without loss.
 nav_msgs::OccupancyGrid toTrinaryGrid(const BeliefMap& belief, const std_msgs::Header& header);
 nav_msgs::OccupancyGrid toTrinaryGrid(const Grid<CellState>& states,
                                       const std_msgs::Header& header);
 
-/// Probability of being occupied in percent, -1 where nothing is known.
+/// The probability of being occupied in percent, -1 in unknown cells.
 nav_msgs::OccupancyGrid toProbabilityGrid(const BeliefMap& belief, const std_msgs::Header& header);
 
 nav_msgs::Path toPath(const Snapshot& snapshot, const std_msgs::Header& header);

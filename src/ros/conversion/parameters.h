@@ -7,8 +7,8 @@
 
 namespace sfw {
 
-/// A tree of ROS parameters as YAML, so that files and parameters have one reader. Numbers keep
-/// every bit. An unset value becomes null.
+/// Converts a tree of ROS parameters to YAML, so that one reader serves files and parameters.
+/// Numbers keep every bit. An unset value becomes null.
 /// @param name  of the parameter, for the error
 /// @throw InputError naming a parameter whose type YAML does not have (date, binary).
 YAML::Node toYaml(const XmlRpc::XmlRpcValue& value, const std::string& name = "");

@@ -22,10 +22,10 @@ struct PublishedMap {
   nav_msgs::OccupancyGrid grid;
 };
 
-/// Everything that the mapping nodelet publishes, all latched.
+/// Publishes maps on all topics of the mapping nodelet, all latched.
 ///
-/// OctoMaps are only made while somebody listens: they cost more than the rest together.
-/// One thread publishes at a time; last() may be asked by any.
+/// OctoMaps are only made for subscribers: they cost more than the rest together.
+/// One thread publishes at a time; any thread may call last().
 class MapPublishers {
  public:
   /// Advertises all topics.
@@ -34,11 +34,11 @@ class MapPublishers {
   /// Publishes a snapshot on all topics but the OctoMaps', which are due from now on.
   void publish(const std::shared_ptr<const Snapshot>& snapshot, const DataFindings& findings = {});
 
-  /// Publishes the OctoMaps if they are due and somebody listens. They fall due anew when another
-  /// listener comes.
+  /// Publishes the OctoMaps if they are due and have a subscriber. A new subscriber makes them due
+  /// again.
   void publishDueOctomaps();
 
-  /// What was published last, or nullptr. Never waits for publish().
+  /// The last published map, or nullptr. Never waits for publish().
   std::shared_ptr<const PublishedMap> last() const;
 
  private:

@@ -15,7 +15,7 @@ constexpr double kWarningPeriod = 10.0;  // [s]
 
 MappingNodelet::~MappingNodelet() {
   stop_ = true;
-  for (std::thread* thread : {&placing_thread_, &mapping_thread_}) {
+  for (std::thread* thread : {&locating_thread_, &mapping_thread_}) {
     if (thread->joinable()) {
       thread->join();
     }
@@ -26,10 +26,10 @@ void MappingNodelet::onInit() {
   try {
     loadParameters();
     advertise();
-    placing_thread_ = std::thread([this] { run(quick_calls_, &MappingNodelet::stepPlacing); });
+    locating_thread_ = std::thread([this] { run(quick_calls_, &MappingNodelet::stepLocating); });
     mapping_thread_ = std::thread([this] { run(slow_calls_, &MappingNodelet::stepMapping); });
     subscribe();  // last: callbacks may come before onInit returns
-    silence_timer_ = getNodeHandle().createSteadyTimer(
+    no_input_timer_ = getNodeHandle().createSteadyTimer(
         ros::WallDuration(kWarningPeriod), [this](const ros::SteadyTimerEvent&) { warnNoInput(); });
   } catch (const std::exception& error) {
     std::istringstream problems(error.what());
@@ -63,7 +63,7 @@ void MappingNodelet::loadParameters() {
 
 void MappingNodelet::advertise() {
   ros::NodeHandle node = getNodeHandle();
-  // Made first: with a map that cannot be made nothing may be advertised.
+  // Inferred first: if no map is possible, nothing may be advertised.
   const std::shared_ptr<const Snapshot> empty = mapper_->corrected({}).mapper.infer(stop_);
   publishers_.emplace(node, config_);
   publishers_->publish(empty);
@@ -72,55 +72,36 @@ void MappingNodelet::advertise() {
 }
 
 void MappingNodelet::subscribe() {
-  ros::NodeHandle& node = getNodeHandle();
-  transform_listener_ = std::make_unique<tf2_ros::TransformListener>(*transforms_, node);
-  constexpr std::uint32_t kQueue = 1000;
-  subscribers_.push_back(node.subscribe("wifi_scan", kQueue, &MappingNodelet::receiveScan, this));
-  subscribers_.push_back(
-      node.subscribe("connection", kQueue, &MappingNodelet::receiveConnection, this));
-  subscribers_.push_back(node.subscribe("contact", kQueue, &MappingNodelet::receiveContact, this));
-  subscribers_.push_back(
-      node.subscribe("contact_points", kQueue, &MappingNodelet::receiveContactPoints, this));
+  transform_listener_ = std::make_unique<tf2_ros::TransformListener>(*transforms_, getNodeHandle());
+  forEachInput([this](const auto& input) { subscribeTo(input); });
 }
 
-void MappingNodelet::receiveScan(const structure_from_wifi::WifiScan& scan) {
-  std::size_t malformed = 0;
-  for (Observation& observation : toObservations(scan, ros::Time::now(), malformed)) {
+template <class Message>
+void MappingNodelet::subscribeTo(const Input<Message>& input) {
+  constexpr std::uint32_t kQueue = 1000;
+  const boost::function<void(const boost::shared_ptr<const Message>&)> callback =
+      [this, input](const boost::shared_ptr<const Message>& message) { receive(input, *message); };
+  subscribers_.push_back(getNodeHandle().subscribe<Message>(input.topic, kQueue, callback));
+  if (input.is_radio) {
+    radio_topics_ += (radio_topics_.empty() ? "" : " or ") + subscribers_.back().getTopic();
+  }
+}
+
+template <class Message>
+void MappingNodelet::receive(const Input<Message>& input, const Message& message) {
+  Conversion conversion = input.convert(
+      message, {ros::Time::now(), config_.ros.antenna_frame, config_.path.footprint_radius_m});
+  for (Observation& observation : conversion.observations) {
     queue_->push(std::move(observation));
   }
-  received_ = true;
-  if (malformed > 0) {
-    mapper_->recordRejected("bssid or age is malformed, or beyond the 1000th of a scan", malformed);
-    NODELET_WARN_STREAM_THROTTLE(kWarningPeriod,
-                                 "wifi_scan: " << malformed
-                                               << " readings with a malformed bssid or age, or "
-                                                  "beyond the 1000th, are left out");
-  }
-}
-
-void MappingNodelet::receiveConnection(const wireless_msgs::Connection& connection) {
-  received_ = true;
-  const std::vector<Observation> observations = toObservations(connection, ros::Time::now());
-  if (observations.empty()) {
-    NODELET_WARN_THROTTLE(kWarningPeriod, "connection: the radio is not associated");
-  }
-  for (const Observation& observation : observations) {
-    queue_->push(observation);
-  }
-}
-
-void MappingNodelet::receiveContact(const std_msgs::Bool& contact) {
-  if (contact.data != 0) {
-    queue_->push(
-        frontContact(config_.ros.antenna_frame, config_.path.footprint_radius_m, ros::Time::now()));
-  }
-}
-
-void MappingNodelet::receiveContactPoints(const sensor_msgs::PointCloud2& cloud) {
-  try {
-    queue_->push(toObservation(cloud, ros::Time::now()));
-  } catch (const std::exception& error) {
-    NODELET_WARN_STREAM_THROTTLE(kWarningPeriod, "contact_points: " << error.what());
+  received_ = received_ || input.is_radio;
+  if (conversion.rejected > 0) {
+    mapper_->recordRejected(conversion.problem, conversion.rejected);
+    NODELET_WARN_STREAM_THROTTLE(kWarningPeriod, input.topic
+                                                     << ": " << conversion.rejected
+                                                     << " rejected: " << conversion.problem);
+  } else if (!conversion.problem.empty()) {
+    NODELET_WARN_STREAM_THROTTLE(kWarningPeriod, input.topic << ": " << conversion.problem);
   }
 }
 
@@ -131,34 +112,37 @@ void MappingNodelet::run(ros::CallbackQueue& calls, void (MappingNodelet::*step)
     try {
       (this->*step)();
     } catch (const std::exception& error) {
-      changed_ = true;  // a map that failed is tried again
-      NODELET_ERROR_STREAM_THROTTLE(kWarningPeriod, "Mapping goes on after: " << error.what());
+      changed_ = true;
+      NODELET_ERROR_STREAM_THROTTLE(
+          kWarningPeriod, "The map update failed and will be tried again: " << error.what());
     }
   }
 }
 
-void MappingNodelet::stepPlacing() {
+void MappingNodelet::stepLocating() {
   noticeTimeJump(ros::Time::now());
-  placeObservations();
+  locateObservations();
 }
 
 void MappingNodelet::noticeTimeJump(const ros::Time& now) {
   if (now < last_now_) {
-    NODELET_WARN("Time jumped back: scans that wait for a transform are dropped, the map stays");
+    NODELET_WARN(
+        "ROS time jumped back: the queue of scans without transform is dropped, and the map is "
+        "kept");
     queue_->clear();
   }
   last_now_ = now;
 }
 
-void MappingNodelet::placeObservations() {
+void MappingNodelet::locateObservations() {
   ObservationQueue::Outcome outcome;
   {
-    const std::lock_guard<std::mutex> lock(placing_);
-    outcome = queue_->place(
+    const std::lock_guard<std::mutex> lock(locating_);
+    outcome = queue_->locate(
         *transforms_, ros::Time::now(),
-        [this](const PlacedObservation& observation) { mapper_->insert(observation); });
+        [this](const LocatedObservation& observation) { mapper_->insert(observation); });
   }
-  if (outcome.placed > 0) {
+  if (outcome.located > 0) {
     changed_ = true;
   }
   warnOfLosses(outcome);
@@ -168,21 +152,27 @@ void MappingNodelet::warnOfLosses(const ObservationQueue::Outcome& outcome) {
   if (outcome.expired > 0) {
     mapper_->recordRejected("no transform at their stamp", outcome.expired);
     NODELET_WARN_STREAM_THROTTLE(
-        kWarningPeriod,
-        outcome.expired << " readings dropped: no transform from " << config_.ros.antenna_frame
-                        << " to " << config_.ros.map_frame << " at their stamp within "
-                        << config_.ros.transform_timeout_s << " s; tf says: " << outcome.reason);
+        kWarningPeriod, outcome.expired
+                            << " readings dropped: tf had no transform from "
+                            << config_.ros.antenna_frame << " to " << config_.ros.map_frame
+                            << " at their stamp within ros/transform_timeout ("
+                            << config_.ros.transform_timeout_s
+                            << " s); start the localisation, or correct ros/antenna_frame and "
+                               "ros/map_frame. tf's error: "
+                            << outcome.tf_error);
   }
-  if (outcome.crowded_out > 0) {
-    mapper_->recordRejected("more than ros/max_waiting waited for a transform",
-                            outcome.crowded_out);
-    NODELET_WARN_STREAM_THROTTLE(kWarningPeriod, outcome.crowded_out
-                                                     << " readings dropped: more than "
-                                                        "ros/max_waiting wait for a transform");
-  }
-  for (const auto& [insertion, count] : mapper_->rejectionCounts()) {
+  if (outcome.overflowed > 0) {
+    mapper_->recordRejected("the queue of scans without transform was full (ros/max_waiting)",
+                            outcome.overflowed);
     NODELET_WARN_STREAM_THROTTLE(
-        kWarningPeriod, "Readings left out so far, " << toString(insertion) << ": " << count);
+        kWarningPeriod, outcome.overflowed
+                            << " readings dropped: the queue of scans without transform is full; "
+                               "raise ros/max_waiting ("
+                            << config_.ros.max_waiting << "), or find out why tf is late");
+  }
+  for (const auto& [result, count] : mapper_->rejectionCounts()) {
+    NODELET_WARN_STREAM_THROTTLE(kWarningPeriod,
+                                 count << " readings rejected so far: " << toString(result));
   }
 }
 
@@ -191,7 +181,7 @@ void MappingNodelet::stepMapping() {
   if (ros::SteadyTime::now() < next_publication_) {
     return;
   }
-  const std::optional<OdometryCorrection> latest = latestFix(config_.ros, *transforms_);
+  const std::optional<OdometryCorrection> latest = latestCorrection(config_.ros, *transforms_);
   const bool jumped =
       latest && last_map_correction_ &&
       PathCorrector::isJump(*last_map_correction_, *latest, jumpTolerance(config_.ros));
@@ -204,7 +194,7 @@ void MappingNodelet::stepMapping() {
 
 MappingNodelet::Mapping MappingNodelet::publishMap(Checks checks) {
   changed_ = false;  // before the copy: readings that come after it are for the next map
-  last_map_correction_ = latestFix(config_.ros, *transforms_);
+  last_map_correction_ = latestCorrection(config_.ros, *transforms_);
   Mapping mapping{mapper_->corrected(last_map_correction_), nullptr, {}};
   mapping.snapshot = mapping.copy.mapper.infer(stop_);
   if (!mapping.snapshot) {
@@ -243,13 +233,13 @@ void MappingNodelet::reportFaults(const std::vector<MapNote>& notes) {
 void MappingNodelet::warnNoInput() {
   if (ros::Time::isSimTime() && ros::Time::now().isZero()) {
     NODELET_WARN(
-        "use_sim_time is set and nobody publishes /clock: play a bag or simulate, or, on a real "
-        "robot, rosparam delete /use_sim_time and start again");
+        "use_sim_time is set, but no node publishes /clock. Play a bag with --clock or start a "
+        "simulator; on a real robot, run `rosparam delete /use_sim_time` and start again");
   } else if (!received_) {
-    NODELET_WARN_STREAM("Nothing was heard yet on " << subscribers_[0].getTopic() << " or "
-                                                    << subscribers_[1].getTopic());
+    NODELET_WARN_STREAM("No reading yet on "
+                        << radio_topics_ << ": check that the scanner runs, and the topic's name");
   } else {
-    silence_timer_.stop();
+    no_input_timer_.stop();
   }
 }
 

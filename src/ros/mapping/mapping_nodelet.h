@@ -7,14 +7,10 @@
 #include <ros/service_server.h>
 #include <ros/steady_timer.h>
 #include <ros/subscriber.h>
-#include <sensor_msgs/PointCloud2.h>
-#include <std_msgs/Bool.h>
 #include <std_srvs/Trigger.h>
 #include <structure_from_wifi/SaveMap.h>
-#include <structure_from_wifi/WifiScan.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
-#include <wireless_msgs/Connection.h>
 
 #include <atomic>
 #include <memory>
@@ -26,6 +22,7 @@
 #include <utility>
 #include <vector>
 
+#include "ros/conversion/input_messages.h"
 #include "ros/mapping/map_publishers.h"
 #include "ros/mapping/observation_queue.h"
 #include "ros/mapping/shared_mapper.h"
@@ -36,19 +33,20 @@
 
 namespace sfw {
 
-/// Maps while the robot drives: scans and tf in, maps out.
+/// Makes maps while the robot drives, from scans and tf.
 ///
-/// Input callbacks only fill a queue. One thread places what waits in the queue and gives quick
-/// answers; another one infers from a copy, publishes and does all that takes its time. So no
-/// callback of the nodelet manager waits for either, and placing goes on while a map is inferred.
-/// Topics, services and parameters: doc/interfaces.md.
+/// Input callbacks only fill a queue. The locating thread empties the queue as tf allows and
+/// answers quick service calls. The mapping thread infers maps from copies, publishes them and
+/// answers slow service calls. So no callback of the nodelet manager waits for either thread, and
+/// readings are located while a map is inferred. Topics, services and parameters:
+/// doc/interfaces.md.
 class MappingNodelet : public nodelet::Nodelet {
  public:
   ~MappingNodelet() override;
 
  private:
-  /// Never throws: a nodelet that throws here takes its manager down. With parameters that cannot
-  /// be used it names each one and advertises nothing.
+  /// Never throws, since an exception would end the nodelet manager. If parameters cannot be used,
+  /// the nodelet logs each one and advertises nothing.
   void onInit() override;
 
   /// @throw InputError
@@ -57,20 +55,20 @@ class MappingNodelet : public nodelet::Nodelet {
   void advertiseServices();
   void subscribe();
 
-  // Input, in the manager's threads.
-  void receiveScan(const structure_from_wifi::WifiScan& scan);
-  void receiveConnection(const wireless_msgs::Connection& connection);
-  void receiveContact(const std_msgs::Bool& contact);
-  void receiveContactPoints(const sensor_msgs::PointCloud2& cloud);
+  template <class Message>
+  void subscribeTo(const Input<Message>& input);
 
-  /// Warns, on a timer, as long as nothing comes.
+  // In the manager's threads.
+  template <class Message>
+  void receive(const Input<Message>& input, const Message& message);
+  /// Warns, on a timer, until the first reading comes.
   void warnNoInput();
 
-  /// Answers the calls in a queue and takes steps in between until the nodelet ends.
+  /// Answers the service calls in a queue, with steps in between, until the nodelet ends.
   void run(ros::CallbackQueue& calls, void (MappingNodelet::*step)());
 
-  // In the placing thread.
-  void stepPlacing();
+  // In the locating thread.
+  void stepLocating();
   void noticeTimeJump(const ros::Time& now);
   bool serveMap(nav_msgs::GetMap::Response& response);
   bool reset(std_srvs::Trigger::Response& response);
@@ -93,7 +91,7 @@ class MappingNodelet : public nodelet::Nodelet {
                structure_from_wifi::SaveMap::Response& response);
 
   // In both.
-  void placeObservations();
+  void locateObservations();
   void warnOfLosses(const ObservationQueue::Outcome& outcome);
 
   Config config_;
@@ -105,24 +103,24 @@ class MappingNodelet : public nodelet::Nodelet {
   std::optional<tf2_ros::Buffer> transforms_;
   std::unique_ptr<tf2_ros::TransformListener> transform_listener_;
   std::vector<ros::Subscriber> subscribers_;
+  std::string radio_topics_;  // of the inputs that bring readings, joined by "or"
 
   ros::CallbackQueue quick_calls_, slow_calls_;  // outlive the servers that use them
   std::vector<ros::ServiceServer> servers_;
 
-  std::mutex placing_;     // held while what the queue holds goes to the mapper
-  std::mutex publishing_;  // held while a map is published; a reset is one step to it
+  std::mutex locating_;    // held while observations go from the queue to the mapper
+  std::mutex publishing_;  // held while a map is published, and during a reset
   ros::Time last_now_;
   ros::SteadyTime next_publication_;
-  DataChecker checker_;  // in the mapping thread, as is the next
-  std::set<std::pair<MapNote::Kind, std::string>> reported_faults_;  // faults, since the last reset
+  DataChecker checker_;  // in the mapping thread only, as the next member
+  std::set<std::pair<MapNote::Kind, std::string>> reported_faults_;  // since the last reset
   std::atomic<bool> clear_reported_{false};
-  std::atomic<bool> received_{false};  // anything from a radio
-  ros::SteadyTimer silence_timer_;
-  std::optional<OdometryCorrection>
-      last_map_correction_;           // the last that tf said when a map was made
-  std::atomic<bool> changed_{false};  // since the last map was made
+  std::atomic<bool> received_{false};  // a message of a radio
+  ros::SteadyTimer no_input_timer_;
+  std::optional<OdometryCorrection> last_map_correction_;  // tf's latest when a map was made
+  std::atomic<bool> changed_{false};                       // since the last map was made
   std::atomic<bool> stop_{false};
-  std::thread placing_thread_, mapping_thread_;
+  std::thread locating_thread_, mapping_thread_;
 };
 
 }  // namespace sfw

@@ -1,4 +1,4 @@
-// What the mapping nodelet answers when it is called.
+// The services of the mapping nodelet.
 
 #include <octomap/OcTree.h>
 
@@ -14,7 +14,7 @@
 namespace sfw {
 namespace {
 
-/// A directory's name that cannot lead out of its parent: letters, digits, '.', '_' and '-'.
+/// Whether a name cannot lead out of its parent directory: letters, digits, '.', '_' and '-'.
 bool isPlainName(const std::string& name) {
   constexpr char kAllowed[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-";
   constexpr std::size_t kLongest = 200;
@@ -28,7 +28,7 @@ std::string withHome(const std::string& directory) {
   return starts_at_home && home != nullptr ? home + directory.substr(1) : directory;
 }
 
-/// Whether a recording was saved there that is not empty.
+/// Whether a directory holds a recording with readings.
 bool holdsReadings(const std::string& directory) {
   std::ifstream file(directory + "/readings.csv");
   std::string line;
@@ -66,7 +66,7 @@ bool MappingNodelet::serveMap(nav_msgs::GetMap::Response& response) {
 }
 
 bool MappingNodelet::reset(std_srvs::Trigger::Response& response) {
-  // A map of what was before may be in the making: it is not published any more.
+  // The mapping thread may be inferring a map of the old readings; it will not publish that one.
   const std::lock_guard<std::mutex> lock(publishing_);
   mapper_->reset();
   queue_->clear();
@@ -82,7 +82,9 @@ bool MappingNodelet::reset(std_srvs::Trigger::Response& response) {
 bool MappingNodelet::serveOctomap(bool binary, octomap_msgs::GetOctomap::Response& response) {
   const std::shared_ptr<const PublishedMap> map = publishers_->last();
   if (!octomapReaches(map->snapshot->belief.geometry())) {
-    NODELET_ERROR("OctoMap does not reach to this map: see the notes of save_map");
+    NODELET_ERROR(
+        "No OctoMap is possible: the map lies more than 32768 cells from the frame's origin. Use a "
+        "frame that begins nearer, or raise map/resolution");
     return false;
   }
   const auto tree = toOctomap(map->snapshot->belief, config_.octomap);
@@ -96,20 +98,22 @@ bool MappingNodelet::saveMap(const structure_from_wifi::SaveMap::Request& reques
   response.success = 0;
   if (!isPlainName(request.directory)) {
     response.message =
-        "directory must be a plain name: letters, digits, '.', '_', '-', not starting with '.'";
+        "directory must be a name of letters, digits, '.', '_' and '-' that does not start with "
+        "'.'";
     return true;
   }
   const std::string directory = withHome(config_.ros.save_directory) + "/" + request.directory;
   try {
-    placeObservations();
+    locateObservations();
     const Mapping mapping = publishMap(Checks::kAll);
     if (!mapping.snapshot) {
-      response.message = "mapping is shutting down";
+      response.message = "the map was not saved: the mapping node is shutting down";
       return true;
     }
     const Mapper& mapper = mapping.copy.mapper;
     if (mapper.readings().empty() && holdsReadings(directory)) {
-      response.message = "nothing has been heard: the recording in " + directory + " stays";
+      response.message = "the map was not saved: there are no readings yet, and the recording in " +
+                         directory + " would be lost";
       return true;
     }
     for (const MapNote& note : mapNotes(*mapping.snapshot, mapping.findings)) {

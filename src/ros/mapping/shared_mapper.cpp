@@ -2,14 +2,16 @@
 
 #include <utility>
 
+#include "ros/mapping/insertion.h"
+
 namespace sfw {
 
 SharedMapper::SharedMapper(const Config& config, const std::vector<AccessPoint>& access_points)
-    : mapper_(config, access_points), anchor_(jumpTolerance(config.ros)) {}
+    : mapper_(config, access_points), corrector_(jumpTolerance(config.ros)) {}
 
-void SharedMapper::insert(const PlacedObservation& observation) {
+void SharedMapper::insert(const LocatedObservation& observation) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  sfw::insert(observation, mapper_, anchor_);
+  sfw::insert(observation, mapper_, corrector_);
 }
 
 void SharedMapper::recordRejected(const std::string& reason, std::size_t count) {
@@ -20,7 +22,7 @@ void SharedMapper::recordRejected(const std::string& reason, std::size_t count) 
 void SharedMapper::reset() {
   const std::lock_guard<std::mutex> lock(mutex_);
   mapper_.reset();
-  anchor_.clear();
+  corrector_.clear();
   ++resets_;
 }
 
@@ -37,13 +39,13 @@ std::uint64_t SharedMapper::resets() const {
 SharedMapper::Copy SharedMapper::corrected(const std::optional<OdometryCorrection>& latest) {
   std::unique_lock<std::mutex> lock(mutex_);
   Copy copy{mapper_, resets_, false};
-  PathCorrector anchor = anchor_;
+  PathCorrector corrector = corrector_;
   lock.unlock();
-  // Not kept: it depends on the moment of asking, and the map must not.
-  if (latest && anchor.size() > 0) {
-    anchor.insert(*latest);
+  // Not kept: tf's latest correction depends on the time of this call, and later maps must not.
+  if (latest && corrector.size() > 0) {
+    corrector.insert(*latest);
   }
-  const PathCorrection correction = anchor.correction();
+  const PathCorrection correction = corrector.correction();
   copy.mapper.correct(correction);
   copy.is_corrected = !correction.empty();
   return copy;

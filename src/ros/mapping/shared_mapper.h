@@ -8,39 +8,42 @@
 #include <string>
 #include <vector>
 
-#include "ros/mapping/observation_queue.h"
+#include "ros/mapping/localization.h"
 #include "structure_from_wifi/config.h"
 #include "structure_from_wifi/mapper.h"
 #include "structure_from_wifi/path_correction.h"
 
 namespace sfw {
 
-/// A mapper that takes readings while a map is inferred from those before.
+/// A mapper for two threads: one inserts readings while the other infers a map from a copy.
 ///
-/// Its lock is held to insert and to copy (100 000 readings: 1 ms), never while readings are moved
-/// or a map is inferred. Thread-safe.
+/// A lock is held to insert and to copy (100 000 readings: 1 ms), never while readings are
+/// corrected or a map is inferred. Thread-safe.
 class SharedMapper {
  public:
   /// @throw InputError as Mapper
   SharedMapper(const Config& config, const std::vector<AccessPoint>& access_points);
 
-  void insert(const PlacedObservation& observation);
+  void insert(const LocatedObservation& observation);
 
-  /// Forgets everything but the geometry.
+  /// Forgets all readings and corrections; the geometry stays.
   void reset();
 
-  /// Notes readings that never got as far as to be placed (Mapper::recordRejected).
+  /// Counts readings that were rejected before insertion (Mapper::recordRejected).
   void recordRejected(const std::string& reason, std::size_t count);
 
-  /// What was left out, by reason.
+  /// Counts the readings and contacts that the mapper rejected, by reason.
   std::map<InsertResult, std::size_t> rejectionCounts() const;
 
-  /// A copy to infer from, with everything where it belongs by the last that tf says.
+  /// A copy of the mapper, to infer from.
   struct Copy {
     Mapper mapper;
-    std::uint64_t resets = 0;   ///< before it was made: with fewer than resets() it is out of date
+    std::uint64_t resets = 0;   ///< before the copy; with fewer than resets() it is out of date
     bool is_corrected = false;  ///< the correction moved something
   };
+
+  /// Copies the mapper, and corrects the copy by all corrections so far.
+  /// @param latest  tf's latest correction, which may have no reading yet
   Copy corrected(const std::optional<OdometryCorrection>& latest);
 
   /// Makes later maps cover the extent of a map of a corrected copy, so that they do not shrink
@@ -51,8 +54,8 @@ class SharedMapper {
 
  private:
   mutable std::mutex mutex_;
-  Mapper mapper_;  // everything where tf first saw it
-  PathCorrector anchor_;
+  Mapper mapper_;  // with all positions as tf first gave them
+  PathCorrector corrector_;
   std::uint64_t resets_ = 0;
 };
 

@@ -1,0 +1,85 @@
+#include "ros/conversion/input_messages.h"
+
+#include <sensor_msgs/point_cloud2_iterator.h>
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+namespace sfw {
+namespace {
+
+ros::Time stampOr(const ros::Time& stamp, const ros::Time& received) {
+  return stamp.isZero() ? received : stamp;
+}
+
+std::vector<Eigen::Vector3d> nearPoints(const sensor_msgs::PointCloud2& cloud) {
+  constexpr float kFarthest = 2.0F;  // [m]
+  std::vector<Eigen::Vector3d> points;
+  sensor_msgs::PointCloud2ConstIterator<float> x(cloud, "x");
+  sensor_msgs::PointCloud2ConstIterator<float> y(cloud, "y");
+  sensor_msgs::PointCloud2ConstIterator<float> z(cloud, "z");
+  for (; x != x.end(); ++x, ++y, ++z) {
+    const Eigen::Vector3f point(*x, *y, *z);
+    if (point.allFinite() && point.norm() <= kFarthest) {
+      points.push_back(point.cast<double>());
+    }
+  }
+  return points;
+}
+
+}  // namespace
+
+Conversion convertScan(const structure_from_wifi::WifiScan& scan, const InputContext& context) {
+  constexpr std::size_t kMostReadings = 1000;  // far more than a radio receives
+  constexpr double kOldest_s = 3600.0;  // no cache of scans is older, and ros::Duration throws
+  const std::size_t readings = std::min(scan.readings.size(), kMostReadings);
+  const ros::Time stamp = stampOr(scan.header.stamp, context.received);
+  Conversion conversion;
+  for (std::size_t i = 0; i < readings; ++i) {
+    const structure_from_wifi::ApReading& reading = scan.readings[i];
+    const std::optional<Bssid> bssid = Bssid::parse(reading.bssid);
+    const double age_s = reading.age_s;
+    if (bssid && age_s >= 0.0 && age_s < std::min(kOldest_s, stamp.toSec())) {
+      conversion.observations.push_back(
+          {stamp - ros::Duration(age_s),
+           UnlocatedReading{*bssid, static_cast<double>(reading.rssi_dbm)}});
+    }
+  }
+  conversion.rejected = scan.readings.size() - conversion.observations.size();
+  if (conversion.rejected > 0) {
+    conversion.problem = "bssid or age_s is malformed, or the scan has more than 1000 readings";
+  }
+  return conversion;
+}
+
+Conversion convertConnection(const wireless_msgs::Connection& connection,
+                             const InputContext& context) {
+  const std::optional<Bssid> bssid = Bssid::parse(connection.bssid);
+  if (!bssid || connection.signal_level == 0) {
+    return {{}, 0, "the radio is not associated"};
+  }
+  const UnlocatedReading reading{*bssid, static_cast<double>(connection.signal_level)};
+  return {{{context.received, reading}}};
+}
+
+Conversion convertContact(const std_msgs::Bool& contact, const InputContext& context) {
+  if (contact.data == 0) {
+    return {};
+  }
+  const UnlocatedContacts ahead{context.antenna_frame, {{context.footprint_radius_m, 0.0, 0.0}}};
+  return {{{context.received, ahead}}};
+}
+
+Conversion convertContactPoints(const sensor_msgs::PointCloud2& cloud,
+                                const InputContext& context) {
+  try {
+    const UnlocatedContacts contacts{cloud.header.frame_id, nearPoints(cloud)};
+    return {{{stampOr(cloud.header.stamp, context.received), contacts}}};
+  } catch (const std::runtime_error& error) {  // the iterators throw without a field x, y or z
+    return {{}, 1, "the cloud of contact points cannot be read: " + std::string(error.what())};
+  }
+}
+
+}  // namespace sfw

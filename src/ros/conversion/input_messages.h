@@ -1,0 +1,89 @@
+#pragma once
+
+#include <ros/time.h>
+#include <sensor_msgs/PointCloud2.h>
+#include <std_msgs/Bool.h>
+#include <structure_from_wifi/WifiScan.h>
+#include <wireless_msgs/Connection.h>
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "structure_from_wifi/types.h"
+
+namespace sfw {
+
+/// A signal strength at an unknown position.
+struct UnlocatedReading {
+  Bssid bssid;
+  double rssi_dbm = 0.0;
+};
+
+/// Obstacles that the robot touched, in the frame of its sensor [m].
+struct UnlocatedContacts {
+  std::string frame;
+  std::vector<Eigen::Vector3d> points;
+};
+
+/// A reading or contacts at a time, before tf gives their position.
+struct Observation {
+  ros::Time stamp;
+  std::variant<UnlocatedReading, UnlocatedContacts> content;
+};
+
+/// The observations of a message, and those that cannot be used.
+struct Conversion {
+  std::vector<Observation> observations = {};
+  std::size_t rejected = 0;  ///< readings or clouds left out
+  std::string problem = {};  ///< of the message, in words; empty if there is none
+};
+
+/// The facts that a conversion needs beside the message.
+struct InputContext {
+  ros::Time received;  ///< replaces a missing stamp
+  std::string antenna_frame;
+  double footprint_radius_m = 0.0;
+};
+
+/// Takes each reading of a scan at its own time: stamp minus age.
+Conversion convertScan(const structure_from_wifi::WifiScan& scan, const InputContext& context);
+
+/// Takes the link's signal strength at the time of arrival; a radio that is not associated has
+/// none.
+Conversion convertConnection(const wireless_msgs::Connection& connection,
+                             const InputContext& context);
+
+/// Takes a bumper without direction as pressed ahead of the antenna, at the robot's rim.
+Conversion convertContact(const std_msgs::Bool& contact, const InputContext& context);
+
+/// Takes the points of a bumper's cloud within 2 m: such nodes put bumpers that are not pressed far
+/// away.
+Conversion convertContactPoints(const sensor_msgs::PointCloud2& cloud, const InputContext& context);
+
+/// A type of input: its topic, message and conversion.
+template <class MessageType>
+struct Input {
+  using Message = MessageType;
+
+  const char* topic;       ///< of the nodelet; a bag has it under this name by default
+  bool is_radio;           ///< it brings readings
+  const char* bag_option;  ///< of `sfw map` for the topic in a bag; nullptr: not read from bags
+  Conversion (*convert)(const Message&, const InputContext&);
+};
+
+/// Calls `visit(input)` for each type of input, live and in bags. A new type needs a row here and
+/// its conversion above.
+template <class Visitor>
+void forEachInput(Visitor&& visit) {
+  visit(Input<structure_from_wifi::WifiScan>{"wifi_scan", true, "scan-topic", convertScan});
+  visit(
+      Input<wireless_msgs::Connection>{"connection", true, "connection-topic", convertConnection});
+  visit(Input<std_msgs::Bool>{"contact", false, nullptr, convertContact});
+  visit(Input<sensor_msgs::PointCloud2>{"contact_points", false, "contact-topic",
+                                        convertContactPoints});
+}
+
+}  // namespace sfw

@@ -1,0 +1,93 @@
+#include "ros/mapping/localization.h"
+
+#include <cmath>
+#include <cstdint>
+#include <exception>
+#include <variant>
+
+namespace sfw {
+namespace {
+
+Eigen::Vector3d toVector(const geometry_msgs::Vector3& v) { return {v.x, v.y, v.z}; }
+
+Eigen::Quaterniond toQuaternion(const geometry_msgs::Quaternion& q) {
+  return Eigen::Quaterniond(q.w, q.x, q.y, q.z);
+}
+
+double yawOf(const geometry_msgs::Quaternion& q) {
+  return std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));
+}
+
+/// The antenna and the odometry at a time, if tf knows both.
+std::optional<OdometryCorrection> correctionAt(const ros::Time& stamp, const Config::Ros& config,
+                                               const tf2::BufferCore& transforms) {
+  if (config.odom_frame == config.map_frame || stamp.isZero() ||
+      !transforms.canTransform(config.map_frame, config.odom_frame, stamp) ||
+      !transforms.canTransform(config.map_frame, config.antenna_frame, stamp)) {
+    return std::nullopt;
+  }
+  const auto mapFrom = [&](const std::string& frame) {
+    return transforms.lookupTransform(config.map_frame, frame, stamp).transform;
+  };
+  const geometry_msgs::Transform map_from_odom = mapFrom(config.odom_frame);
+  return OdometryCorrection{static_cast<std::int64_t>(stamp.toNSec()),
+                            toVector(mapFrom(config.antenna_frame).translation).head<2>(),
+                            toVector(map_from_odom.translation).head<2>(),
+                            yawOf(map_from_odom.rotation)};
+}
+
+LocatedObservation locatedAt(const geometry_msgs::Transform& map_from_sensor,
+                             const Observation& observation) {
+  const auto stamp_ns = static_cast<std::int64_t>(observation.stamp.toNSec());
+  const Eigen::Vector3d sensor_in_map = toVector(map_from_sensor.translation);
+  if (const auto* reading = std::get_if<UnlocatedReading>(&observation.content)) {
+    return {{{stamp_ns, sensor_in_map.head<2>(), reading->bssid, reading->rssi_dbm}}, {}, {}};
+  }
+  const Eigen::Quaterniond turn = toQuaternion(map_from_sensor.rotation);
+  LocatedObservation located;
+  for (const Eigen::Vector3d& point : std::get<UnlocatedContacts>(observation.content).points) {
+    const Eigen::Vector3d in_map = turn * point + sensor_in_map;
+    located.contacts.push_back({stamp_ns, in_map.head<2>()});
+  }
+  return located;
+}
+
+}  // namespace
+
+std::optional<LocatedObservation> locate(const Observation& observation, const Config::Ros& config,
+                                         const tf2::BufferCore& transforms, std::string& tf_error) {
+  const auto* contacts = std::get_if<UnlocatedContacts>(&observation.content);
+  const std::string& frame = contacts != nullptr ? contacts->frame : config.antenna_frame;
+  try {
+    LocatedObservation located =
+        locatedAt(transforms.lookupTransform(config.map_frame, frame, observation.stamp).transform,
+                  observation);
+    located.correction = correctionAt(observation.stamp, config, transforms);
+    return located;
+  } catch (const std::exception& error) {
+    // Not only tf2's own: it subtracts stamps, and ros::Duration throws if they lie 68 years apart.
+    tf_error = error.what();
+    return std::nullopt;
+  }
+}
+
+std::optional<OdometryCorrection> latestCorrection(const Config::Ros& config,
+                                                   const tf2::BufferCore& transforms) {
+  try {
+    if (!transforms.canTransform(config.map_frame, config.antenna_frame, ros::Time())) {
+      return std::nullopt;
+    }
+    const ros::Time latest =
+        transforms.lookupTransform(config.map_frame, config.antenna_frame, ros::Time())
+            .header.stamp;
+    return correctionAt(latest, config, transforms);
+  } catch (const std::exception&) {
+    return std::nullopt;  // the buffer changed between two look-ups
+  }
+}
+
+PathCorrector::Tolerance jumpTolerance(const Config::Ros& config) {
+  return {config.jump_distance_m, config.jump_angle_rad};
+}
+
+}  // namespace sfw

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <tf2/buffer_core.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ros/conversion/input_messages.h"
+#include "structure_from_wifi/config.h"
+#include "structure_from_wifi/path_correction.h"
+#include "structure_from_wifi/types.h"
+
+namespace sfw {
+
+/// The readings and contacts of an observation, with their positions.
+struct LocatedObservation {
+  std::vector<Reading> readings;
+  std::vector<Contact> contacts;
+  std::optional<OdometryCorrection> correction;  ///< empty if tf does not know ros/odom_frame
+};
+
+/// Looks up in tf where an observation was made. Never waits.
+/// @param tf_error  gets tf's reason if there is no transform at the observation's stamp
+/// @return nothing without a transform.
+std::optional<LocatedObservation> locate(const Observation& observation, const Config::Ros& config,
+                                         const tf2::BufferCore& transforms, std::string& tf_error);
+
+/// Looks up the latest position of the antenna and correction of the odometry, if tf knows both.
+std::optional<OdometryCorrection> latestCorrection(const Config::Ros& config,
+                                                   const tf2::BufferCore& transforms);
+
+/// The settings of corrections that move the path.
+PathCorrector::Tolerance jumpTolerance(const Config::Ros& config);
+
+}  // namespace sfw

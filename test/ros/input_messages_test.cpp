@@ -1,0 +1,160 @@
+#include "ros/conversion/input_messages.h"
+
+#include <gtest/gtest.h>
+#include <tf2/buffer_core.h>
+
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "ros/mapping/observation_queue.h"
+
+namespace sfw {
+namespace {
+
+const InputContext kContext{ros::Time(100.0), "antenna", 0.2};
+
+structure_from_wifi::ApReading apReading(const std::string& bssid, float rssi_dbm, double age_s) {
+  structure_from_wifi::ApReading reading;
+  reading.bssid = bssid;
+  reading.rssi_dbm = rssi_dbm;
+  reading.age_s = static_cast<float>(age_s);
+  return reading;
+}
+
+TEST(InputMessages, HaveOneTopicEach) {
+  std::set<std::string> topics;
+  std::size_t inputs = 0;
+  forEachInput([&](const auto& input) {
+    topics.insert(input.topic);
+    ++inputs;
+  });
+  EXPECT_GT(inputs, 0U);
+  EXPECT_EQ(topics.size(), inputs);
+}
+
+TEST(InputMessages, TakeEachReadingOfAScanAtItsOwnTime) {
+  structure_from_wifi::WifiScan scan;
+  scan.header.stamp = ros::Time(50.0);
+  scan.readings = {apReading("02:00:00:00:00:01", -40.5F, 0.0),
+                   apReading("02:00:00:00:00:02", -60.0F, 1.5)};
+  const Conversion conversion = convertScan(scan, kContext);
+  EXPECT_EQ(conversion.problem, "");
+  ASSERT_EQ(conversion.observations.size(), 2U);
+  EXPECT_EQ(conversion.observations[0].stamp, ros::Time(50.0));
+  EXPECT_EQ(conversion.observations[1].stamp, ros::Time(48.5));
+  const auto& reading = std::get<UnlocatedReading>(conversion.observations[0].content);
+  EXPECT_EQ(reading.bssid.str(), "02:00:00:00:00:01");
+  EXPECT_EQ(reading.rssi_dbm, -40.5);
+}
+
+TEST(InputMessages, RejectMalformedReadingsOfAScan) {
+  structure_from_wifi::WifiScan scan;
+  for (const double age_s : {-1.0, 101.0, 1e30, std::nan("")}) {
+    scan.readings.push_back(apReading("02:00:00:00:00:01", -40.0F, age_s));
+  }
+  scan.readings.push_back(apReading("not a bssid", -40.0F, 0.0));
+  scan.readings.push_back(apReading("02:00:00:00:00:01", -40.0F, 0.0));
+  const Conversion conversion = convertScan(scan, kContext);
+  ASSERT_EQ(conversion.observations.size(), 1U);
+  EXPECT_EQ(conversion.observations[0].stamp, kContext.received);  // the scan has no stamp
+  EXPECT_EQ(conversion.rejected, 5U);
+  EXPECT_NE(conversion.problem, "");
+}
+
+TEST(InputMessages, TakeAtMost1000ReadingsOfAScan) {
+  structure_from_wifi::WifiScan scan;
+  scan.readings.assign(1200, apReading("02:00:00:00:00:01", -40.0F, 0.0));
+  const Conversion conversion = convertScan(scan, kContext);
+  EXPECT_EQ(conversion.observations.size(), 1000U);
+  EXPECT_EQ(conversion.rejected, 200U);
+}
+
+TEST(InputMessages, TakeTheLinkOfAnAssociatedRadio) {
+  wireless_msgs::Connection connection;
+  EXPECT_TRUE(convertConnection(connection, kContext).observations.empty());
+  EXPECT_NE(convertConnection(connection, kContext).problem, "");
+  connection.bssid = "02:00:00:00:00:01";
+  connection.signal_level = -55;
+  const Conversion conversion = convertConnection(connection, kContext);
+  ASSERT_EQ(conversion.observations.size(), 1U);
+  EXPECT_EQ(conversion.observations[0].stamp, kContext.received);
+  EXPECT_EQ(std::get<UnlocatedReading>(conversion.observations[0].content).rssi_dbm, -55.0);
+}
+
+TEST(InputMessages, PutAContactAtTheRimOfTheRobot) {
+  std_msgs::Bool contact;
+  EXPECT_TRUE(convertContact(contact, kContext).observations.empty());
+  contact.data = 1;
+  const Conversion conversion = convertContact(contact, kContext);
+  ASSERT_EQ(conversion.observations.size(), 1U);
+  const auto& contacts = std::get<UnlocatedContacts>(conversion.observations[0].content);
+  EXPECT_EQ(contacts.frame, "antenna");
+  ASSERT_EQ(contacts.points.size(), 1U);
+  EXPECT_EQ(contacts.points[0], Eigen::Vector3d(0.2, 0.0, 0.0));
+}
+
+TEST(InputMessages, RejectACloudWithoutCoordinates) {
+  const Conversion conversion = convertContactPoints(sensor_msgs::PointCloud2(), kContext);
+  EXPECT_TRUE(conversion.observations.empty());
+  EXPECT_EQ(conversion.rejected, 1U);
+  EXPECT_NE(conversion.problem, "");
+}
+
+geometry_msgs::TransformStamped mapFromAntenna(double seconds, double x) {
+  geometry_msgs::TransformStamped transform;
+  transform.header.stamp = ros::Time(seconds);
+  transform.header.frame_id = "map";
+  transform.child_frame_id = "antenna";
+  transform.transform.translation.x = x;
+  transform.transform.rotation.w = 1.0;
+  return transform;
+}
+
+Config::Ros rosConfig() {
+  Config::Ros config;
+  config.antenna_frame = "antenna";
+  config.transform_timeout_s = 5.0;
+  config.max_waiting = 2;
+  return config;
+}
+
+Observation observationAt(double seconds) {
+  return {ros::Time(seconds), UnlocatedReading{*Bssid::parse("02:00:00:00:00:01"), -50.0}};
+}
+
+TEST(ObservationQueue, LocatesWhatTfKnowsAndKeepsTheRest) {
+  tf2::BufferCore transforms;
+  transforms.setTransform(mapFromAntenna(10.0, 1.0), "test");
+  transforms.setTransform(mapFromAntenna(11.0, 3.0), "test");
+  ObservationQueue queue(rosConfig());
+  queue.push(observationAt(12.0));
+  queue.push(observationAt(10.5));
+  std::vector<double> located_x;
+  const auto sink = [&](const LocatedObservation& located) {
+    located_x.push_back(located.readings.at(0).antenna_in_map.x());
+  };
+  EXPECT_EQ(queue.locate(transforms, ros::Time(12.0), sink).located, 1U);
+  transforms.setTransform(mapFromAntenna(12.0, 5.0), "test");
+  EXPECT_EQ(queue.locate(transforms, ros::Time(12.1), sink).located, 1U);
+  EXPECT_EQ(located_x, (std::vector<double>{2.0, 5.0}));
+}
+
+TEST(ObservationQueue, DropsObservationsThatWaitTooLongOrAreTooMany) {
+  const tf2::BufferCore transforms;
+  ObservationQueue queue(rosConfig());
+  for (const double seconds : {10.0, 11.0, 12.0}) {
+    queue.push(observationAt(seconds));
+  }
+  const auto unexpected = [](const LocatedObservation&) { FAIL() << "tf knows no transform"; };
+  const ObservationQueue::Outcome first = queue.locate(transforms, ros::Time(14.0), unexpected);
+  EXPECT_EQ(first.overflowed, 1U);
+  EXPECT_EQ(first.expired, 0U);
+  const ObservationQueue::Outcome later = queue.locate(transforms, ros::Time(17.5), unexpected);
+  EXPECT_EQ(later.overflowed, 0U);
+  EXPECT_EQ(later.expired, 2U);
+  EXPECT_NE(later.tf_error, "");
+}
+
+}  // namespace
+}  // namespace sfw
