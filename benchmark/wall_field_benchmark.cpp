@@ -21,8 +21,8 @@
 #include "simulation/radio/radio_model.h"
 #include "simulation/robot/route_planner.h"
 #include "simulation/scenario.h"
+#include "structure_from_wifi/access_points_io.h"
 #include "structure_from_wifi/readings_io.h"
-#include "structure_from_wifi/settings_io.h"
 #include "tomography/wall_field.h"
 
 namespace sfw {

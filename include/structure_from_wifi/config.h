@@ -8,7 +8,7 @@
 
 namespace sfw {
 
-/// Every setting of the package, with its default. config/mapping.yaml explains each one.
+/// Every setting of the mapper, with its default. config/mapping.yaml explains each one.
 struct Config {
   /// How walls are inferred: "tomography" from all readings together, fused with the path, or
   /// "k_visibility" from wall counts, as in the paper.
@@ -64,20 +64,6 @@ struct Config {
     double wall_height_m = 2.5;   ///< occupied cells reach from the floor to here
     double robot_height_m = 0.5;  ///< free cells reach from the floor to here
   } octomap;                      ///< settings octomap/*
-
-  /// Settings of the ROS side alone.
-  struct Ros {
-    std::string map_frame = "map";            ///< of the map and the access points
-    std::string antenna_frame = "base_link";  ///< whose position a reading has
-    std::string odom_frame = "odom";          ///< readings follow it when the past is corrected
-    double jump_distance_m = 0.1;             ///< a larger correction of odom_frame moves the past
-    double jump_angle_rad = 0.05;             ///< likewise
-    double publish_rate_hz = 1.0;             ///< most map updates a second
-    double transform_timeout_s = 5.0;         ///< a scan waits this long for its transform
-    double tf_cache_s = 30.0;                 ///< transforms are kept this long
-    std::int64_t max_waiting = 2000;          ///< scans that may wait for a transform
-    std::string save_directory = "~/.ros/structure_from_wifi";  ///< of ~save_map
-  } ros;                                                        ///< settings ros/*
 };
 
 /// Calls `visit(name, member)` for each setting in the order of config/mapping.yaml.
@@ -115,16 +101,6 @@ void forEachSetting(AnyConfig& config, Visitor&& visit) {
   visit("belief/model", config.belief.model);
   visit("octomap/wall_height", config.octomap.wall_height_m);
   visit("octomap/robot_height", config.octomap.robot_height_m);
-  visit("ros/map_frame", config.ros.map_frame);
-  visit("ros/antenna_frame", config.ros.antenna_frame);
-  visit("ros/odom_frame", config.ros.odom_frame);
-  visit("ros/jump_distance", config.ros.jump_distance_m);
-  visit("ros/jump_angle", config.ros.jump_angle_rad);
-  visit("ros/publish_rate", config.ros.publish_rate_hz);
-  visit("ros/transform_timeout", config.ros.transform_timeout_s);
-  visit("ros/tf_cache", config.ros.tf_cache_s);
-  visit("ros/max_waiting", config.ros.max_waiting);
-  visit("ros/save_directory", config.ros.save_directory);
 }
 
 /// Every problem of a configuration, one sentence each that starts with the setting's name.

@@ -64,20 +64,6 @@ void check(const Config::Octomap& config, Problems& problems) {
   problems.positive("octomap/robot_height", config.robot_height_m);
 }
 
-void check(const Config::Ros& config, Problems& problems) {
-  problems.frame("ros/map_frame", config.map_frame);
-  problems.frame("ros/antenna_frame", config.antenna_frame);
-  problems.frame("ros/odom_frame", config.odom_frame);
-  problems.positive("ros/jump_distance", config.jump_distance_m);
-  problems.positive("ros/jump_angle", config.jump_angle_rad);
-  problems.positive("ros/publish_rate", config.publish_rate_hz);
-  problems.notNegative("ros/transform_timeout", config.transform_timeout_s);
-  problems.positive("ros/tf_cache", config.tf_cache_s);
-  problems.atLeast("ros/max_waiting", config.max_waiting, 1);
-  problems.require(!config.save_directory.empty(), "ros/save_directory",
-                   "'" + config.save_directory + "'", "a directory");
-}
-
 }  // namespace
 
 std::vector<std::string> validate(const Config& config) {
@@ -90,7 +76,6 @@ std::vector<std::string> validate(const Config& config) {
   check(config.path, problems);
   check(config.belief, problems);
   check(config.octomap, problems);
-  check(config.ros, problems);
   return problems.list();
 }
 

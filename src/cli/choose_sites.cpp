@@ -4,7 +4,7 @@
 #include "cli/building_options.h"
 #include "cli/commands.h"
 #include "simulation/scenario.h"
-#include "structure_from_wifi/map_files.h"
+#include "structure_from_wifi/access_points_io.h"
 
 namespace sfw {
 

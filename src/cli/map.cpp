@@ -11,12 +11,13 @@
 #include "cli/warnings.h"
 #include "ros/bags/bag_reader.h"
 #include "ros/conversion/input_messages.h"
+#include "ros/conversion/ros_settings.h"
+#include "structure_from_wifi/access_points_io.h"
 #include "structure_from_wifi/data_checks.h"
 #include "structure_from_wifi/input_error.h"
 #include "structure_from_wifi/map_files.h"
 #include "structure_from_wifi/map_notes.h"
 #include "structure_from_wifi/mapper.h"
-#include "structure_from_wifi/settings_io.h"
 
 namespace sfw {
 namespace {
@@ -33,19 +34,18 @@ struct MapOptions {
   std::string output;
 };
 
-Config loadConfig(const MapOptions& options) {
-  ConfigReading reading;
+MappingSettings loadSettings(const MapOptions& options) {
+  MappingSettings settings;
   if (!options.config.empty()) {
-    reading = readConfig(options.config);
+    settings = readMappingSettings(options.config);
   }
-  for (const std::string& warning : reading.warnings) {
+  for (const std::string& warning : settings.warnings) {
     warn(options.config + ": " + warning);
   }
-  Config& config = reading.config;
-  config.ros.map_frame = options.map_frame.empty() ? config.ros.map_frame : options.map_frame;
-  config.ros.antenna_frame =
-      options.antenna_frame.empty() ? config.ros.antenna_frame : options.antenna_frame;
-  return config;
+  RosSettings& ros = settings.ros;
+  ros.map_frame = options.map_frame.empty() ? ros.map_frame : options.map_frame;
+  ros.antenna_frame = options.antenna_frame.empty() ? ros.antenna_frame : options.antenna_frame;
+  return settings;
 }
 
 Mapper mapperFor(const std::string& access_points, const Config& config) {
@@ -61,8 +61,8 @@ Mapper mapperFor(const std::string& access_points, const Config& config) {
   }
 }
 
-void insertBag(const MapOptions& options, const Config& config, Mapper& mapper) {
-  const BagReading reading = readBag(options.bag, options.topics, config, mapper);
+void insertBag(const MapOptions& options, const MappingSettings& settings, Mapper& mapper) {
+  const BagReading reading = readBag(options.bag, options.topics, settings, mapper);
   for (const auto& [problem, count] : reading.rejected) {
     mapper.recordRejected(problem, count);
     warn(options.bag + ": " + std::to_string(count) + " readings or contacts left out: " + problem);
@@ -70,8 +70,9 @@ void insertBag(const MapOptions& options, const Config& config, Mapper& mapper) 
   if (reading.unlocated > 0) {
     mapper.recordRejected("no transform at their stamp", reading.unlocated);
     warn(options.bag + ": " + std::to_string(reading.unlocated) +
-         " readings left out: the bag has no transform from " + config.ros.antenna_frame + " to " +
-         config.ros.map_frame + " at their stamp; name the frames with --antenna-frame and " +
+         " readings left out: the bag has no transform from " + settings.ros.antenna_frame +
+         " to " + settings.ros.map_frame +
+         " at their stamp; name the frames with --antenna-frame and " +
          "--map-frame. tf's error: " + reading.tf_error);
   }
 }
@@ -109,7 +110,8 @@ void reportAccessPoint(const std::string& table, const AccessPointSummary& summa
 
 void run(const MapOptions& options) {
   const auto start = std::chrono::steady_clock::now();
-  const Config config = loadConfig(options);
+  const MappingSettings settings = loadSettings(options);
+  const Config& config = settings.config;
   Mapper mapper = mapperFor(options.access_points, config);
   const std::string& source = options.bag.empty() ? options.readings : options.bag;
   if (options.bag.empty()) {
@@ -121,7 +123,7 @@ void run(const MapOptions& options) {
       mapper.recordRejected(reason, skipped.count);
     }
   } else {
-    insertBag(options, config, mapper);
+    insertBag(options, settings, mapper);
   }
   if (!options.contacts.empty()) {
     for (const Contact& contact : readContacts(options.contacts)) {

@@ -7,10 +7,12 @@
 #include "cli/commands.h"
 #include "cli/warnings.h"
 #include "files/atomic_file.h"
+#include "files/map_server.h"
 #include "ros/bags/bag_writer.h"
 #include "simulation/scenario.h"
+#include "structure_from_wifi/access_points_io.h"
 #include "structure_from_wifi/input_error.h"
-#include "structure_from_wifi/map_files.h"
+#include "structure_from_wifi/readings_io.h"
 
 namespace sfw {
 namespace {
@@ -45,10 +47,10 @@ void run(SimulateOptions options) {
   const Scenario scenario = makeScenario(plan, accessPointsOf(options), options.scenario);
   const SimulatedRecording recording = simulate(scenario);
   makeDirectories(options.output);
-  writePlanFiles(toStates(plan), options.output, "truth");
+  writeMap(toStates(plan), options.output, "truth");
   writeAtomically(options.output + "/access_points.yaml", accessPointsYaml(scenario.access_points));
   if (options.bag) {
-    writeBag(options.output + "/recording.bag", recording, Config().ros);
+    writeBag(options.output + "/recording.bag", recording, RosSettings());
   }
   writeAtomically(options.output + "/readings.csv", readingsCsv(recording.readings));
   std::cerr << "sfw: wrote " << recording.readings.size()

@@ -5,11 +5,11 @@
 #include "cli/building_options.h"
 #include "cli/commands.h"
 #include "files/atomic_file.h"
+#include "files/map_server.h"
 #include "k_visibility/k_visibility.h"
 #include "output/k_map_io.h"
 #include "output/map_picture.h"
 #include "structure_from_wifi/input_error.h"
-#include "structure_from_wifi/map_files.h"
 
 namespace sfw {
 namespace {
@@ -46,7 +46,7 @@ void run(const DenseOptions& options) {
   const KMap k_map = readKMap(options.k_map);
   const Grid<CellState> walls = denseInverseKVisibility(k_map.counts, k_map.access_point);
   const std::string picture = renderPicture(walls, k_map.access_point);
-  writePlanFiles(walls, options.output, "map");
+  writeMap(walls, options.output, "map");
   writeAtomically(options.output + "/map.png", picture);
   std::cerr << "sfw: wrote map.pgm, map.yaml and map.png to " << options.output << '\n';
 }

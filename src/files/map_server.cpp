@@ -2,9 +2,11 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
+#include "files/atomic_file.h"
 #include "files/pgm.h"
 #include "files/text.h"
 #include "grid/for_each_cell.h"
@@ -83,6 +85,13 @@ Grid<T> converted(const std::string& yaml_file, Convert&& convert) {
   return grid;
 }
 
+std::string mapYaml(const char* image, const GridGeometry& geometry, const char* mode,
+                    const char* thresholds, int negate = 0) {
+  return formatted("image: %s\nresolution: %.9g\norigin: [%.9g, %.9g, 0]\nnegate: %d\nmode: %s\n%s",
+                   image, geometry.resolution(), geometry.origin().x(), geometry.origin().y(),
+                   negate, mode, thresholds);
+}
+
 }  // namespace
 
 Grid<CellState> readMap(const std::string& yaml_file) {
@@ -108,6 +117,47 @@ Grid<float> readWallLoss(const std::string& yaml_file) {
     constexpr double kSteps = 255.0;
     return static_cast<float>(kSteps * file.occupied(c) * file.decibels_per_step);
   });
+}
+
+int pixelOf(CellState state) {
+  switch (state) {
+    case CellState::kFree:
+      return 254;
+    case CellState::kOccupied:
+      return 0;
+    case CellState::kUnknown:
+      break;
+  }
+  return 205;
+}
+
+std::string trinaryYaml(const GridGeometry& geometry, const std::string& image) {
+  return mapYaml(image.c_str(), geometry, "trinary", "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
+}
+
+std::string probabilityYaml(const GridGeometry& geometry) {
+  return mapYaml("probability.pgm", geometry, "scale", "occupied_thresh: 1.0\nfree_thresh: 0.0\n");
+}
+
+std::string wallLossPgm(const Grid<float>& wall_loss) {
+  return encodePgm(wall_loss.geometry, [&](Cell c) {
+    const double steps = static_cast<double>(wall_loss[c]) / kWallLossStepDb;
+    return std::lround(std::clamp(steps, 0.0, 255.0));
+  });
+}
+
+std::string wallLossYaml(const GridGeometry& geometry) {
+  return mapYaml("wall_loss.pgm", geometry, "scale", "occupied_thresh: 1.0\nfree_thresh: 0.0\n",
+                 1) +
+         formatted("decibels_per_step: %.9g\n", kWallLossStepDb);
+}
+
+void writeMap(const Grid<CellState>& states, const std::string& directory,
+              const std::string& name) {
+  makeDirectories(directory);
+  writeAtomically(directory + "/" + name + ".pgm",
+                  encodePgm(states.geometry, [&](Cell c) { return pixelOf(states[c]); }));
+  writeAtomically(directory + "/" + name + ".yaml", trinaryYaml(states.geometry, name + ".pgm"));
 }
 
 }  // namespace sfw

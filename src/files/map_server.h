@@ -16,9 +16,30 @@ Grid<CellState> readMap(const std::string& yaml_file);
 /// As readMap, but each pixel's probability of being occupied in [0, 1].
 Grid<float> readProbabilities(const std::string& yaml_file);
 
-/// Reads losses of signals [dB] as the mapper writes them (wallLossYaml): a pixel's value times the
-/// file's `decibels_per_step`.
+/// Reads losses of signals [dB] as wallLossPgm and wallLossYaml write them: a pixel's value times
+/// the file's `decibels_per_step`.
 /// @throw InputError as readMap, and if that key is missing or not a positive number
 Grid<float> readWallLoss(const std::string& yaml_file);
+
+/// The grey value that map_server reads as a state: 254 free, 0 occupied, 205 unknown.
+int pixelOf(CellState state);
+
+/// The YAML beside an image of states.
+std::string trinaryYaml(const GridGeometry& geometry, const std::string& image = "map.pgm");
+
+/// The YAML beside probability.pgm, whose pixels are 255 (1 - p).
+std::string probabilityYaml(const GridGeometry& geometry);
+
+constexpr double kWallLossStepDb = 0.05;  ///< of a grey value in wall_loss.pgm
+
+/// The image of losses of signals [dB]: each grey value is kWallLossStepDb, from 0 (black) to 255.
+std::string wallLossPgm(const Grid<float>& wall_loss_db);
+
+/// The YAML beside wall_loss.pgm: mode scale, negated.
+std::string wallLossYaml(const GridGeometry& geometry);
+
+/// Writes NAME.pgm and NAME.yaml of states. Makes the directory.
+/// @throw std::system_error naming the file and why
+void writeMap(const Grid<CellState>& states, const std::string& directory, const std::string& name);
 
 }  // namespace sfw

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 
 #include "files/text.h"
 #include "structure_from_wifi/input_error.h"
@@ -141,6 +142,14 @@ InputError unusable(const std::string& file, const Table& table, const Fault& fa
   return InputError(file + ": " + table.line() + ": " + fault.reason + ": " + fault.detail);
 }
 
+/// "stamp,x,y", to the nanosecond and to Mapper's 0.1 mm.
+std::string placeCsv(std::int64_t stamp_ns, const Position& position) {
+  constexpr std::int64_t kSecond = 1000000000;
+  return formatted("%s%lld.%09lld,%.4f,%.4f", stamp_ns < 0 ? "-" : "",
+                   std::llabs(stamp_ns / kSecond), std::llabs(stamp_ns % kSecond), position.x(),
+                   position.y());
+}
+
 }  // namespace
 
 ReadingFile readReadings(const std::string& file) {
@@ -192,6 +201,23 @@ std::vector<Position> readWayPoints(const std::string& file) {
     way_points.push_back(way_point);
   }
   return way_points;
+}
+
+std::string readingsCsv(const std::vector<Reading>& readings) {
+  std::string text = "stamp,x,y,bssid,rssi_dbm\n";
+  for (const Reading& reading : readings) {
+    text += placeCsv(reading.stamp_ns, reading.antenna_in_map) +
+            formatted(",%s,%.2f\n", reading.bssid.str().c_str(), reading.rssi_dbm);
+  }
+  return text;
+}
+
+std::string contactsCsv(const std::vector<Contact>& contacts) {
+  std::string text = "stamp,x,y\n";
+  for (const Contact& contact : contacts) {
+    text += placeCsv(contact.stamp_ns, contact.point_in_map) + "\n";
+  }
+  return text;
 }
 
 }  // namespace sfw

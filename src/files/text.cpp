@@ -3,18 +3,38 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <clocale>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "structure_from_wifi/input_error.h"
 
 namespace sfw {
+namespace {
+
+const locale_t kClassic = newlocale(LC_ALL_MASK, "C", nullptr);
+
+bool isDigits(std::string_view text) {
+  return text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+/// Nothing if the text has other characters than digits, or more than 63 bits hold.
+std::optional<std::int64_t> parseDigits(const std::string& text) {
+  std::int64_t number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  return isDigits(text) && error == std::errc() && rest == end ? std::optional(number)
+                                                               : std::nullopt;
+}
+
+}  // namespace
 
 std::optional<double> parseNumber(std::string_view text) {
-  static const locale_t kClassic = newlocale(LC_ALL_MASK, "C", nullptr);
   const std::string number(trimmed(text));
   char* end = nullptr;
   const double value = strtod_l(number.c_str(), &end, kClassic);
@@ -24,37 +44,37 @@ std::optional<double> parseNumber(std::string_view text) {
   return value;
 }
 
+std::string exactText(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*g", std::numeric_limits<double>::digits10, value);
+  if (parseNumber(text) != value) {
+    std::snprintf(text, sizeof text, "%.*g", std::numeric_limits<double>::max_digits10, value);
+  }
+  return text;
+}
+
 std::optional<std::int64_t> parseNanoseconds(std::string_view seconds) {
-  std::string_view digits = trimmed(seconds);
-  const bool negative = !digits.empty() && digits.front() == '-';
-  if (negative || (!digits.empty() && digits.front() == '+')) {
-    digits.remove_prefix(1);
+  std::string_view text = trimmed(seconds);
+  const bool negative = text.substr(0, 1) == "-";
+  if (negative || text.substr(0, 1) == "+") {
+    text.remove_prefix(1);
   }
-  const std::size_t point = std::min(digits.find('.'), digits.size());
-  const std::string_view whole = digits.substr(0, point);
-  const std::string_view fraction = digits.substr(std::min(point + 1, digits.size()));
-  const auto all_digits = [](std::string_view text) {
-    return text.find_first_not_of("0123456789") == std::string_view::npos;
-  };
-  constexpr std::size_t kMostDigits = 10;
+  const std::size_t point = std::min(text.find('.'), text.size());
+  const std::string whole(text.substr(0, point));
+  const std::string fraction(text.substr(std::min(point + 1, text.size())));
   constexpr std::size_t kPlaces = 9;
-  if (whole.size() + fraction.size() == 0 || whole.size() > kMostDigits || !all_digits(whole) ||
-      !all_digits(fraction)) {
+  if (whole.empty() && fraction.empty()) {
     return std::nullopt;
   }
-  std::int64_t magnitude = 0;
-  for (const char digit : whole) {
-    magnitude = magnitude * 10 + (digit - '0');
-  }
-  constexpr std::int64_t kMostSeconds = 9'000'000'000;  // in 63 bits of nanoseconds, with room
-  if (magnitude > kMostSeconds) {
+  const std::optional<std::int64_t> nanoseconds =
+      parseDigits(whole + (fraction + std::string(kPlaces, '0')).substr(0, kPlaces));
+  constexpr std::int64_t kMost = 9'000'000'000'999'999'999;  // in 63 bits, with room
+  if (whole.size() > kPlaces + 1 || !isDigits(fraction) || !nanoseconds || *nanoseconds > kMost) {
     return std::nullopt;
   }
-  for (std::size_t place = 0; place < kPlaces; ++place) {
-    magnitude = magnitude * 10 + (place < fraction.size() ? fraction[place] - '0' : 0);
-  }
-  magnitude += fraction.size() > kPlaces && fraction[kPlaces] >= '5' ? 1 : 0;
-  return negative ? -magnitude : magnitude;
+  const std::int64_t rounded =
+      *nanoseconds + (fraction.size() > kPlaces && fraction[kPlaces] >= '5' ? 1 : 0);
+  return negative ? -rounded : rounded;
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -93,43 +113,10 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-namespace {
-
-/// Bytes of the valid UTF-8 character that a text starts with; 0 if it starts with none.
-std::size_t utf8Length(std::string_view text) {
-  const auto byte = [&](std::size_t i) {
-    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
-  };
-  const unsigned lead = byte(0);
-  if (lead < 0x80) {
-    return 1;
-  }
-  const std::size_t length = lead < 0xc2   ? 0
-                             : lead < 0xe0 ? 2
-                             : lead < 0xf0 ? 3
-                             : lead < 0xf5 ? 4
-                                           : 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xc0) != 0x80) {
-      return 0;
-    }
-  }
-  // Spelt too long, half of a surrogate pair, or beyond the last character.
-  const bool wrong = (lead == 0xe0 && byte(1) < 0xa0) || (lead == 0xed && byte(1) >= 0xa0) ||
-                     (lead == 0xf0 && byte(1) < 0x90) || (lead == 0xf4 && byte(1) >= 0x90);
-  return wrong ? 0 : length;
-}
-
-}  // namespace
-
-std::string asUtf8(std::string_view text) {
-  std::string valid;
-  while (!text.empty()) {
-    const std::size_t length = utf8Length(text);
-    valid += length > 0 ? text.substr(0, length) : "?";
-    text.remove_prefix(std::max<std::size_t>(length, 1));
-  }
-  return valid;
+std::string asUtf8(const std::string& text) {
+  using Json = nlohmann::json;
+  const std::string valid = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+  return Json::parse(valid).get<std::string>();
 }
 
 std::string readFile(const std::string& file) {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
+#include "structure_from_wifi/access_points_io.h"
 #include "structure_from_wifi/input_error.h"
-#include "structure_from_wifi/settings_io.h"
 
 namespace sfw {
 namespace {

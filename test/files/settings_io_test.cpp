@@ -10,6 +10,7 @@
 #include <limits>
 #include <set>
 
+#include "structure_from_wifi/access_points_io.h"
 #include "structure_from_wifi/config.h"
 #include "structure_from_wifi/input_error.h"
 
@@ -65,8 +66,7 @@ TEST(Validate, AsksForPositiveNumbers) {
   for (const std::string name :
        {"map/resolution", "map/margin", "map/growth_step", "k_visibility/min_wall_loss",
         "path/max_gap", "k_visibility/wall_thickness", "octomap/wall_height",
-        "octomap/robot_height", "ros/jump_distance", "ros/jump_angle", "ros/publish_rate",
-        "ros/tf_cache"}) {
+        "octomap/robot_height"}) {
     for (const double bad : {0.0, -1.0, kNaN, kInfinity}) {
       EXPECT_EQ(brokenBy(name, bad), Names{name}) << bad;
     }
@@ -75,8 +75,7 @@ TEST(Validate, AsksForPositiveNumbers) {
 }
 
 TEST(Validate, AsksForNumbersThatAreNotNegative) {
-  for (const std::string name :
-       {"k_visibility/path_loss_exponent", "path/footprint_radius", "ros/transform_timeout"}) {
+  for (const std::string name : {"k_visibility/path_loss_exponent", "path/footprint_radius"}) {
     for (const double bad : {-1e-9, kNaN, kInfinity}) {
       EXPECT_EQ(brokenBy(name, bad), Names{name}) << bad;
     }
@@ -94,7 +93,7 @@ TEST(Validate, AsksForProbabilities) {
 }
 
 TEST(Validate, AsksForWholeNumbersInTheirRange) {
-  for (const std::string name : {"map/max_cells", "map/max_readings", "ros/max_waiting"}) {
+  for (const std::string name : {"map/max_cells", "map/max_readings"}) {
     EXPECT_EQ(brokenBy(name, std::int64_t{0}), Names{name});
     EXPECT_EQ(brokenBy(name, std::int64_t{1}), Names());
   }
@@ -121,14 +120,9 @@ TEST(Validate, AsksForAnOddWindow) {
   EXPECT_EQ(brokenBy("k_visibility/window", std::int64_t{1}), Names());
 }
 
-TEST(Validate, AsksForKnownWordsFramesAndADirectory) {
+TEST(Validate, AsksForKnownWords) {
   EXPECT_EQ(brokenBy("k_visibility/filter", std::string("kalman")), Names{"k_visibility/filter"});
   EXPECT_EQ(brokenBy("k_visibility/filter", std::string("mean")), Names());
-  for (const std::string name : {"ros/map_frame", "ros/antenna_frame", "ros/odom_frame"}) {
-    EXPECT_EQ(brokenBy(name, std::string()), Names{name});
-    EXPECT_EQ(brokenBy(name, std::string("/map")), Names{name});
-  }
-  EXPECT_EQ(brokenBy("ros/save_directory", std::string()), Names{"ros/save_directory"});
 }
 
 TEST(Validate, AsksForThresholdsThatAreApart) {
@@ -189,7 +183,9 @@ TEST(ShippedConfig, HoldsEverySettingWithItsDefault) {
   std::set<std::string> known;
   forEachSetting(reading.config, [&](const char* name, const auto&) { known.insert(name); });
   std::set<std::string> written;
-  collectNames(YAML::LoadFile(file), "", written);
+  YAML::Node settings = YAML::LoadFile(file);
+  settings.remove("ros");  // RosSettings
+  collectNames(settings, "", written);
   EXPECT_EQ(written, known);
 }
 
@@ -253,12 +249,10 @@ TEST(ConfigFromYaml, PrefersANewNameUnlessItHasItsDefault) {
 }
 
 TEST(ConfigReader, ReadsOverTheDefaults) {
-  const Config config =
-      fromText("map: {resolution: 0.1, max_cells: 1e6}\nros: {map_frame: odom}").config;
+  const Config config = fromText("map: {resolution: 0.1, max_cells: 1e6}").config;
   EXPECT_EQ(config.map.resolution_m, 0.1);
   EXPECT_EQ(config.map.max_cells, 1000000);
   EXPECT_EQ(config.map.margin_m, Config().map.margin_m);
-  EXPECT_EQ(config.ros.map_frame, "odom");
 }
 
 TEST(ConfigReader, TakesAnEmptyTextForTheDefaults) {
@@ -269,6 +263,12 @@ TEST(ConfigReader, TakesAnEmptyTextForTheDefaults) {
 
 TEST(ConfigReader, LeavesAccessPointsToTheirReader) {
   EXPECT_TRUE(fromText("access_points: [{bssid: nonsense}]").warnings.empty());
+}
+
+TEST(ConfigReader, LeavesTheGroupOfRosToTheNodelet) {
+  EXPECT_TRUE(fromText("ros: {map_frame: odom, misspelt: 1}").warnings.empty());
+  EXPECT_TRUE(fromText("ros: 3").warnings.empty());
+  EXPECT_EQ(fromText("rosa: {x: 1}").warnings.size(), 1U);
 }
 
 TEST(ConfigReader, NamesTheNearestSettingOfAnUnknownKey) {
@@ -285,16 +285,19 @@ TEST(ConfigReader, NamesEveryWrongTypeAndEveryBrokenRuleAtOnce) {
   const std::string complaint = complaintOf([] {
     fromText(
         "map: {resolution: fine, max_cells: 2.5, margin: -1}\n"
-        "k_visibility: {filter: [median], window: .nan}\n"
-        "ros: {publish_rate: }");
+        "k_visibility: {filter: [median], window: .nan}");
   });
   EXPECT_TRUE(contains(complaint, "map/resolution must be a number"));
   EXPECT_TRUE(contains(complaint, "map/max_cells must be a whole number"));
   EXPECT_TRUE(contains(complaint, "map/margin must be finite and positive; it is -1"));
   EXPECT_TRUE(contains(complaint, "k_visibility/filter must be a text"));
   EXPECT_TRUE(contains(complaint, "k_visibility/window must be a whole number"));
-  EXPECT_TRUE(contains(complaint, "ros/publish_rate must be a number"));
-  EXPECT_EQ(lines(complaint), 6U) << complaint;
+  EXPECT_EQ(lines(complaint), 5U) << complaint;
+}
+
+TEST(ConfigFromYaml, NamesAnOldNameWhoseValueHasTheWrongType) {
+  EXPECT_EQ(complaintOf([] { fromText("rssi: {window: wide}"); }),
+            "rssi/window must be a whole number");
 }
 
 TEST(ConfigReader, RefusesAGroupInPlaceOfAValueAndTheReverse) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/random.h"
+#include "output/report.h"
 #include "support/mapper_scene.h"
 
 namespace sfw {

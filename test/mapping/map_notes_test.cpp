@@ -7,7 +7,7 @@
 #include <functional>
 #include <optional>
 
-#include "structure_from_wifi/map_files.h"
+#include "output/report.h"
 #include "support/mapper_scene.h"
 
 namespace sfw {

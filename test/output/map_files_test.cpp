@@ -5,9 +5,10 @@
 #include <random>
 
 #include "files/map_server.h"
+#include "output/report.h"
+#include "structure_from_wifi/access_points_io.h"
 #include "structure_from_wifi/mapper.h"
 #include "structure_from_wifi/readings_io.h"
-#include "structure_from_wifi/settings_io.h"
 #include "support/ascii_world.h"
 #include "support/temporary_folder.h"
 

@@ -111,8 +111,8 @@ geometry_msgs::TransformStamped mapFromAntenna(double seconds, double x) {
   return transform;
 }
 
-Config::Ros rosConfig() {
-  Config::Ros config;
+RosSettings rosConfig() {
+  RosSettings config;
   config.antenna_frame = "antenna";
   config.transform_timeout_s = 5.0;
   config.max_waiting = 2;

@@ -34,7 +34,7 @@ TEST(SharedMapper, TakesReadingsWhileAMapIsInferred) {
   std::vector<AccessPoint> access_points(2);
   access_points[0] = {*Bssid::parse("02:00:00:00:00:01"), "", {1.0, 1.0}, {}, {}};
   access_points[1] = {*Bssid::parse("02:00:00:00:00:02"), "", {9.0, 9.0}, {}, {}};
-  SharedMapper mapper(Config(), access_points);
+  SharedMapper mapper(Config(), access_points, jumpTolerance({}));
   std::int64_t stamp_ns = 0;
   const auto read = [&](int leg, double share) {
     for (const AccessPoint& access_point : access_points) {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "structure_from_wifi/access_points_io.h"
 #include "structure_from_wifi/input_error.h"
-#include "structure_from_wifi/settings_io.h"
 
 namespace sfw {
 namespace {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "output/report.h"
 #include "structure_from_wifi/map_files.h"
 #include "structure_from_wifi/mapper.h"
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "radio/radio_bins.h"
+#include "structure_from_wifi/access_points_io.h"
 #include "structure_from_wifi/readings_io.h"
-#include "structure_from_wifi/settings_io.h"
 
 namespace sfw::test {
 

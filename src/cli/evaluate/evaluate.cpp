@@ -15,6 +15,7 @@
 #include "evaluation/evaluation.h"
 #include "files/atomic_file.h"
 #include "files/map_server.h"
+#include "structure_from_wifi/access_points_io.h"
 #include "structure_from_wifi/input_error.h"
 #include "structure_from_wifi/settings_io.h"
 

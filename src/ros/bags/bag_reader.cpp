@@ -54,7 +54,7 @@ Conversion convert(const rosbag::MessageInstance& message, const BagTopics& topi
   return conversion;
 }
 
-BagReading read(const std::string& file, const BagTopics& topics, const Config& config,
+BagReading read(const std::string& file, const BagTopics& topics, const MappingSettings& settings,
                 Mapper& mapper) {
   const rosbag::Bag bag(file, rosbag::bagmode::Read);
   rosbag::View view(bag);
@@ -62,8 +62,8 @@ BagReading read(const std::string& file, const BagTopics& topics, const Config& 
   tf2::BufferCore transforms(ros::Duration(1e9));
   loadTransforms(bag, transforms);
   BagReading reading;
-  PathCorrector corrector(jumpTolerance(config.ros));
-  InputContext context{{}, config.ros.antenna_frame, config.path.footprint_radius_m};
+  PathCorrector corrector(jumpTolerance(settings.ros));
+  InputContext context{{}, settings.ros.antenna_frame, settings.config.path.footprint_radius_m};
   for (const rosbag::MessageInstance& message : view) {
     context.received = message.getTime();
     const Conversion conversion = convert(message, topics, context);
@@ -72,14 +72,14 @@ BagReading read(const std::string& file, const BagTopics& topics, const Config& 
     }
     for (const Observation& observation : conversion.observations) {
       ++reading.observations;
-      if (const auto located = locate(observation, config.ros, transforms, reading.tf_error)) {
+      if (const auto located = locate(observation, settings.ros, transforms, reading.tf_error)) {
         insert(*located, mapper, corrector);
       } else {
         ++reading.unlocated;
       }
     }
   }
-  if (const auto latest = latestCorrection(config.ros, transforms)) {
+  if (const auto latest = latestCorrection(settings.ros, transforms)) {
     corrector.insert(*latest);
   }
   mapper.correct(corrector.correction());
@@ -110,11 +110,11 @@ BagTopics defaultBagTopics() {
   return topics;
 }
 
-BagReading readBag(const std::string& file, const BagTopics& topics, const Config& config,
-                   Mapper& mapper) {
+BagReading readBag(const std::string& file, const BagTopics& topics,
+                   const MappingSettings& settings, Mapper& mapper) {
   BagReading reading;
   try {
-    reading = read(file, topics, config, mapper);
+    reading = read(file, topics, settings, mapper);
   } catch (const std::exception& error) {  // from rosbag, or from tf2 or a message that is broken
     throw InputError(file + ": cannot be read as a bag: " + error.what());
   }

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "structure_from_wifi/config.h"
+#include "ros/conversion/ros_settings.h"
 #include "structure_from_wifi/mapper.h"
 
 namespace sfw {
@@ -26,7 +26,7 @@ struct BagReading {
 /// Inserts the readings and contacts of a bag into a mapper. The bag's tf is read first, so the
 /// order of recording does not matter.
 /// @throw InputError naming the file if it cannot be read or has no reading.
-BagReading readBag(const std::string& file, const BagTopics& topics, const Config& config,
-                   Mapper& mapper);
+BagReading readBag(const std::string& file, const BagTopics& topics,
+                   const MappingSettings& settings, Mapper& mapper);
 
 }  // namespace sfw

@@ -34,7 +34,7 @@ using Readings = std::vector<Reading>;
 
 /// Writes the transforms and the scan of all readings of one stamp.
 void writeScan(rosbag::Bag& bag, Readings::const_iterator begin, Readings::const_iterator end,
-               const Config::Ros& frames) {
+               const RosSettings& frames) {
   const ros::Time stamp = toTime(begin->stamp_ns);
   tf2_msgs::TFMessage tf;
   tf.transforms = {transform(stamp, frames.map_frame, "odom", Position::Zero()),
@@ -55,7 +55,7 @@ void writeScan(rosbag::Bag& bag, Readings::const_iterator begin, Readings::const
 }  // namespace
 
 void writeBag(const std::string& file, const SimulatedRecording& recording,
-              const Config::Ros& frames) {
+              const RosSettings& frames) {
   const std::string unfinished = file + ".active";  // as rosbag record names it
   try {
     rosbag::Bag bag(unfinished, rosbag::bagmode::Write);

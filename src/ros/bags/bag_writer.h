@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "ros/conversion/ros_settings.h"
 #include "simulation/simulated_recording.h"
-#include "structure_from_wifi/config.h"
 
 namespace sfw {
 
@@ -12,6 +12,6 @@ namespace sfw {
 /// not at all.
 /// @throw InputError naming the file if it cannot be written.
 void writeBag(const std::string& file, const SimulatedRecording& recording,
-              const Config::Ros& frames);
+              const RosSettings& frames);
 
 }  // namespace sfw

@@ -19,7 +19,7 @@ double yawOf(const geometry_msgs::Quaternion& q) {
 }
 
 /// The antenna and the odometry at a time, if tf knows both.
-std::optional<OdometryCorrection> correctionAt(const ros::Time& stamp, const Config::Ros& config,
+std::optional<OdometryCorrection> correctionAt(const ros::Time& stamp, const RosSettings& config,
                                                const tf2::BufferCore& transforms) {
   if (config.odom_frame == config.map_frame || stamp.isZero() ||
       !transforms.canTransform(config.map_frame, config.odom_frame, stamp) ||
@@ -54,7 +54,7 @@ LocatedObservation locatedAt(const geometry_msgs::Transform& map_from_sensor,
 
 }  // namespace
 
-std::optional<LocatedObservation> locate(const Observation& observation, const Config::Ros& config,
+std::optional<LocatedObservation> locate(const Observation& observation, const RosSettings& config,
                                          const tf2::BufferCore& transforms, std::string& tf_error) {
   const auto* contacts = std::get_if<UnlocatedContacts>(&observation.content);
   const std::string& frame = contacts != nullptr ? contacts->frame : config.antenna_frame;
@@ -71,7 +71,7 @@ std::optional<LocatedObservation> locate(const Observation& observation, const C
   }
 }
 
-std::optional<OdometryCorrection> latestCorrection(const Config::Ros& config,
+std::optional<OdometryCorrection> latestCorrection(const RosSettings& config,
                                                    const tf2::BufferCore& transforms) {
   try {
     if (!transforms.canTransform(config.map_frame, config.antenna_frame, ros::Time())) {
@@ -86,7 +86,7 @@ std::optional<OdometryCorrection> latestCorrection(const Config::Ros& config,
   }
 }
 
-PathCorrector::Tolerance jumpTolerance(const Config::Ros& config) {
+PathCorrector::Tolerance jumpTolerance(const RosSettings& config) {
   return {config.jump_distance_m, config.jump_angle_rad};
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ros/conversion/input_messages.h"
-#include "structure_from_wifi/config.h"
+#include "ros/conversion/ros_settings.h"
 #include "structure_from_wifi/path_correction.h"
 #include "structure_from_wifi/types.h"
 
@@ -23,14 +23,14 @@ struct LocatedObservation {
 /// Looks up in tf where an observation was made. Never waits.
 /// @param tf_error  gets tf's reason if there is no transform at the observation's stamp
 /// @return nothing without a transform.
-std::optional<LocatedObservation> locate(const Observation& observation, const Config::Ros& config,
+std::optional<LocatedObservation> locate(const Observation& observation, const RosSettings& config,
                                          const tf2::BufferCore& transforms, std::string& tf_error);
 
 /// Looks up the latest position of the antenna and correction of the odometry, if tf knows both.
-std::optional<OdometryCorrection> latestCorrection(const Config::Ros& config,
+std::optional<OdometryCorrection> latestCorrection(const RosSettings& config,
                                                    const tf2::BufferCore& transforms);
 
 /// The settings of corrections that move the path.
-PathCorrector::Tolerance jumpTolerance(const Config::Ros& config);
+PathCorrector::Tolerance jumpTolerance(const RosSettings& config);
 
 }  // namespace sfw

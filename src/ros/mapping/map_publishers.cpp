@@ -12,7 +12,9 @@
 
 namespace sfw {
 
-MapPublishers::MapPublishers(ros::NodeHandle& node, const Config& config) : config_(config) {
+MapPublishers::MapPublishers(ros::NodeHandle& node, const std::string& map_frame,
+                             const Config::Octomap& octomap)
+    : map_frame_(map_frame), octomap_(octomap) {
   constexpr bool kLatched = true;
   map_ = node.advertise<nav_msgs::OccupancyGrid>("map", 1, kLatched);
   metadata_ = node.advertise<nav_msgs::MapMetaData>("map_metadata", 1, kLatched);
@@ -30,7 +32,7 @@ MapPublishers::MapPublishers(ros::NodeHandle& node, const Config& config) : conf
 void MapPublishers::publish(const std::shared_ptr<const Snapshot>& snapshot,
                             const DataFindings& findings) {
   std_msgs::Header header;
-  header.frame_id = config_.ros.map_frame;
+  header.frame_id = map_frame_;
   header.stamp = ros::Time::now();
   const auto published = std::make_shared<const PublishedMap>(
       PublishedMap{snapshot, findings, toTrinaryGrid(snapshot->belief, header)});
@@ -63,7 +65,7 @@ std::shared_ptr<const PublishedMap> MapPublishers::last() const {
 }
 
 void MapPublishers::publishOctomap(const PublishedMap& map) {
-  const auto tree = toOctomap(map.snapshot->belief, config_.octomap);
+  const auto tree = toOctomap(map.snapshot->belief, octomap_);
   if (octomap_binary_.getNumSubscribers() > 0) {
     octomap_binary_.publish(toBinaryOctomap(*tree, map.grid.header));
   }

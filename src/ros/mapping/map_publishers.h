@@ -29,7 +29,8 @@ struct PublishedMap {
 class MapPublishers {
  public:
   /// Advertises all topics.
-  MapPublishers(ros::NodeHandle& node, const Config& config);
+  MapPublishers(ros::NodeHandle& node, const std::string& map_frame,
+                const Config::Octomap& octomap);
 
   /// Publishes a snapshot on all topics but the OctoMaps', which are due from now on.
   void publish(const std::shared_ptr<const Snapshot>& snapshot, const DataFindings& findings = {});
@@ -44,7 +45,8 @@ class MapPublishers {
  private:
   void publishOctomap(const PublishedMap& map);
 
-  Config config_;
+  std::string map_frame_;
+  Config::Octomap octomap_;
   mutable std::mutex mutex_;  // around last_
   std::shared_ptr<const PublishedMap> last_;
   std::atomic<bool> octomap_due_{false};  // set by roscpp's thread when a subscriber comes

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "ros/conversion/parameters.h"
-#include "structure_from_wifi/settings_io.h"
+#include "structure_from_wifi/access_points_io.h"
 
 namespace sfw {
 namespace {
@@ -45,27 +45,28 @@ void MappingNodelet::loadParameters() {
   XmlRpc::XmlRpcValue tree;
   node.getParam(node.getNamespace(), tree);
   const YAML::Node settings = toYaml(tree);
-  const ConfigReading reading = configFromYaml(settings);
+  const MappingSettings reading = mappingSettingsFromYaml(settings);
   for (const std::string& warning : reading.warnings) {
     NODELET_WARN_STREAM(node.getNamespace() << "/" << warning);
   }
   config_ = reading.config;
+  ros_settings_ = reading.ros;
   const AccessPointReading table =
       accessPointsFromYaml(settings.IsMap() ? settings["access_points"] : YAML::Node());
   for (const std::string& warning : table.warnings) {
     NODELET_WARN_STREAM(node.getNamespace() << "/" << warning);
   }
   access_points_ = table.access_points;
-  mapper_.emplace(config_, access_points_);
-  queue_.emplace(config_.ros);
-  transforms_.emplace(ros::Duration(config_.ros.tf_cache_s));
+  mapper_.emplace(config_, access_points_, jumpTolerance(ros_settings_));
+  queue_.emplace(ros_settings_);
+  transforms_.emplace(ros::Duration(ros_settings_.tf_cache_s));
 }
 
 void MappingNodelet::advertise() {
   ros::NodeHandle node = getNodeHandle();
   // Inferred first: if no map is possible, nothing may be advertised.
   const std::shared_ptr<const Snapshot> empty = mapper_->corrected({}).mapper.infer(stop_);
-  publishers_.emplace(node, config_);
+  publishers_.emplace(node, ros_settings_.map_frame, config_.octomap);
   publishers_->publish(empty);
 
   advertiseServices();
@@ -90,7 +91,7 @@ void MappingNodelet::subscribeTo(const Input<Message>& input) {
 template <class Message>
 void MappingNodelet::receive(const Input<Message>& input, const Message& message) {
   Conversion conversion = input.convert(
-      message, {ros::Time::now(), config_.ros.antenna_frame, config_.path.footprint_radius_m});
+      message, {ros::Time::now(), ros_settings_.antenna_frame, config_.path.footprint_radius_m});
   for (Observation& observation : conversion.observations) {
     queue_->push(std::move(observation));
   }
@@ -154,9 +155,9 @@ void MappingNodelet::warnOfLosses(const ObservationQueue::Outcome& outcome) {
     NODELET_WARN_STREAM_THROTTLE(
         kWarningPeriod, outcome.expired
                             << " readings dropped: tf had no transform from "
-                            << config_.ros.antenna_frame << " to " << config_.ros.map_frame
+                            << ros_settings_.antenna_frame << " to " << ros_settings_.map_frame
                             << " at their stamp within ros/transform_timeout ("
-                            << config_.ros.transform_timeout_s
+                            << ros_settings_.transform_timeout_s
                             << " s); start the localisation, or correct ros/antenna_frame and "
                                "ros/map_frame. tf's error: "
                             << outcome.tf_error);
@@ -168,7 +169,7 @@ void MappingNodelet::warnOfLosses(const ObservationQueue::Outcome& outcome) {
         kWarningPeriod, outcome.overflowed
                             << " readings dropped: the queue of scans without transform is full; "
                                "raise ros/max_waiting ("
-                            << config_.ros.max_waiting << "), or find out why tf is late");
+                            << ros_settings_.max_waiting << "), or find out why tf is late");
   }
   for (const auto& [result, count] : mapper_->rejectionCounts()) {
     NODELET_WARN_STREAM_THROTTLE(kWarningPeriod,
@@ -181,20 +182,20 @@ void MappingNodelet::stepMapping() {
   if (ros::SteadyTime::now() < next_publication_) {
     return;
   }
-  const std::optional<OdometryCorrection> latest = latestCorrection(config_.ros, *transforms_);
+  const std::optional<OdometryCorrection> latest = latestCorrection(ros_settings_, *transforms_);
   const bool jumped =
       latest && last_map_correction_ &&
-      PathCorrector::isJump(*last_map_correction_, *latest, jumpTolerance(config_.ros));
+      PathCorrector::isJump(*last_map_correction_, *latest, jumpTolerance(ros_settings_));
   if (changed_ || jumped) {
     next_publication_ =
-        ros::SteadyTime::now() + ros::WallDuration(1.0 / config_.ros.publish_rate_hz);
+        ros::SteadyTime::now() + ros::WallDuration(1.0 / ros_settings_.publish_rate_hz);
     publishMap(Checks::kChanged);
   }
 }
 
 MappingNodelet::Mapping MappingNodelet::publishMap(Checks checks) {
   changed_ = false;  // before the copy: readings that come after it are for the next map
-  last_map_correction_ = latestCorrection(config_.ros, *transforms_);
+  last_map_correction_ = latestCorrection(ros_settings_, *transforms_);
   Mapping mapping{mapper_->corrected(last_map_correction_), nullptr, {}};
   mapping.snapshot = mapping.copy.mapper.infer(stop_);
   if (!mapping.snapshot) {

@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "ros/conversion/input_messages.h"
+#include "ros/conversion/ros_settings.h"
 #include "ros/mapping/map_publishers.h"
 #include "ros/mapping/observation_queue.h"
 #include "ros/mapping/shared_mapper.h"
@@ -95,6 +96,7 @@ class MappingNodelet : public nodelet::Nodelet {
   void warnOfLosses(const ObservationQueue::Outcome& outcome);
 
   Config config_;
+  RosSettings ros_settings_;
   std::vector<AccessPoint> access_points_;
   std::optional<SharedMapper> mapper_;
   std::optional<ObservationQueue> queue_;

@@ -102,7 +102,7 @@ bool MappingNodelet::saveMap(const structure_from_wifi::SaveMap::Request& reques
         "'.'";
     return true;
   }
-  const std::string directory = withHome(config_.ros.save_directory) + "/" + request.directory;
+  const std::string directory = withHome(ros_settings_.save_directory) + "/" + request.directory;
   try {
     locateObservations();
     const Mapping mapping = publishMap(Checks::kAll);

@@ -9,8 +9,8 @@
 #include <mutex>
 #include <string>
 
+#include "ros/conversion/ros_settings.h"
 #include "ros/mapping/localization.h"
-#include "structure_from_wifi/config.h"
 
 namespace sfw {
 
@@ -21,7 +21,7 @@ namespace sfw {
 /// simulated time stands still. Thread-safe.
 class ObservationQueue {
  public:
-  explicit ObservationQueue(const Config::Ros& config) : config_(config) {}
+  explicit ObservationQueue(const RosSettings& config) : config_(config) {}
 
   /// Adds an observation; with ros/max_waiting in the queue, the oldest one is dropped.
   void push(Observation observation);
@@ -52,7 +52,7 @@ class ObservationQueue {
 
   bool isExpired(const Waiting& waiting, const ros::Time& now) const;
 
-  const Config::Ros config_;
+  const RosSettings config_;
   std::mutex mutex_;
   std::deque<Waiting> waiting_;
   std::size_t overflowed_ = 0;

@@ -6,8 +6,9 @@
 
 namespace sfw {
 
-SharedMapper::SharedMapper(const Config& config, const std::vector<AccessPoint>& access_points)
-    : mapper_(config, access_points), corrector_(jumpTolerance(config.ros)) {}
+SharedMapper::SharedMapper(const Config& config, const std::vector<AccessPoint>& access_points,
+                           const PathCorrector::Tolerance& tolerance)
+    : mapper_(config, access_points), corrector_(tolerance) {}
 
 void SharedMapper::insert(const LocatedObservation& observation) {
   const std::lock_guard<std::mutex> lock(mutex_);

@@ -21,8 +21,10 @@ namespace sfw {
 /// corrected or a map is inferred. Thread-safe.
 class SharedMapper {
  public:
+  /// @param tolerance  larger jumps of the odometry frame move what was inserted before
   /// @throw InputError as Mapper
-  SharedMapper(const Config& config, const std::vector<AccessPoint>& access_points);
+  SharedMapper(const Config& config, const std::vector<AccessPoint>& access_points,
+               const PathCorrector::Tolerance& tolerance);
 
   void insert(const LocatedObservation& observation);
 

@@ -1,45 +1,13 @@
 #include "ros/simulator/simulator_config.h"
 
-#include <yaml-cpp/yaml.h>
-
-#include <set>
-
 #include "base/validation.h"
+#include "files/settings_tree.h"
 #include "simulation/radio/noise_level.h"
+#include "structure_from_wifi/access_points_io.h"
 #include "structure_from_wifi/input_error.h"
-#include "structure_from_wifi/settings_io.h"
 
 namespace sfw {
 namespace {
-
-constexpr char kAccessPointsKey[] = "access_points";
-
-const char* typeName(bool) { return "true or false"; }
-const char* typeName(double) { return "a number"; }
-const char* typeName(std::int64_t) { return "a whole number"; }
-const char* typeName(const std::string&) { return "a text"; }
-
-/// The value at a path such as "radio/exponent"; undefined if there is none.
-YAML::Node find(const YAML::Node& tree, const std::string& path) {
-  const std::size_t slash = path.find('/');
-  if (!tree.IsMap()) {
-    return YAML::Node(YAML::NodeType::Undefined);
-  }
-  const YAML::Node child = tree[path.substr(0, slash)];
-  return !child || slash == std::string::npos ? child : find(child, path.substr(slash + 1));
-}
-
-/// Every path under a node that leads to a value.
-void addLeaves(const YAML::Node& node, const std::string& path, std::set<std::string>& leaves) {
-  if (!node.IsMap()) {
-    leaves.insert(path);
-    return;
-  }
-  for (const auto& entry : node) {
-    const auto key = entry.first.as<std::string>();
-    addLeaves(entry.second, path.empty() ? key : path + "/" + key, leaves);
-  }
-}
 
 void checkBuilding(const SimulatorConfig& config, Problems& problems) {
   const BuildingSource& building = config.building;
@@ -104,24 +72,14 @@ void checkFrames(const SimulatorConfig& config, Problems& problems) {
   problems.within("odom/yaw", config.odom.yaw_rad, -kTurn, kTurn);
 }
 
-/// Reads what stands in the tree over what stands in the configuration.
-void readSettings(const YAML::Node& tree, SimulatorConfig& config, Problems& problems) {
-  forEachSimulatorSetting(config, [&](const char* name, auto& value) {
-    const YAML::Node node = find(tree, name);
-    auto given = value;  // decode() spoils its target when it fails
-    if (node && !YAML::convert<decltype(given)>::decode(node, given)) {
-      problems.add(std::string(name) + " must be " + typeName(value));
-    } else if (node) {
-      value = given;
-    }
-  });
+void readSettings(SettingsTree& tree, SimulatorConfig& config) {
+  forEachSimulatorSetting(config, [&](const char* name, auto& value) { tree.read(name, value); });
 }
 
 /// A configuration with the settings of the noise level that a tree of parameters names.
-SimulatorConfig withNoiseLevel(const YAML::Node& tree, Problems& problems) {
+SimulatorConfig withNoiseLevel(SettingsTree tree, Problems& problems) {
   SimulatorConfig named;
-  Problems reported_later;
-  readSettings(tree, named, reported_later);
+  readSettings(tree, named);
   SimulatorConfig config;
   if (!named.noise.empty()) {
     try {
@@ -135,13 +93,14 @@ SimulatorConfig withNoiseLevel(const YAML::Node& tree, Problems& problems) {
 
 }  // namespace
 
-SimulatorConfig simulatorConfigFromYaml(const YAML::Node& tree) {
-  Problems problems;
+SimulatorConfig simulatorConfigFromYaml(const YAML::Node& node) {
+  SettingsTree tree(node);
+  Problems& problems = tree.problems();
   SimulatorConfig config = withNoiseLevel(tree, problems);
-  readSettings(tree, config, problems);
-  if (const YAML::Node table = find(tree, kAccessPointsKey)) {
+  readSettings(tree, config);
+  if (node.IsMap() && node["access_points"]) {
     try {
-      config.access_points = accessPointsFromYaml(table).access_points;
+      config.access_points = accessPointsFromYaml(node["access_points"]).access_points;
       for (const AccessPoint& access_point : config.access_points) {
         if (!access_point.position_known) {
           throw InputError("access_points: " + access_point.bssid.str() +
@@ -161,15 +120,11 @@ SimulatorConfig simulatorConfigFromYaml(const YAML::Node& tree) {
   return config;
 }
 
-std::vector<std::string> unknownSimulatorSettings(const YAML::Node& tree) {
-  std::set<std::string> leaves;
-  if (tree.IsMap()) {
-    addLeaves(tree, "", leaves);
-  }
-  const SimulatorConfig defaults;
-  forEachSimulatorSetting(defaults, [&](const char* name, const auto&) { leaves.erase(name); });
-  leaves.erase(kAccessPointsKey);
-  return {leaves.begin(), leaves.end()};
+std::vector<std::string> unknownSimulatorSettings(const YAML::Node& node) {
+  SettingsTree tree(node);
+  SimulatorConfig ignored;
+  readSettings(tree, ignored);
+  return tree.unknown();
 }
 
 }  // namespace sfw

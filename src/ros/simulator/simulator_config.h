@@ -104,9 +104,9 @@ void forEachSimulatorSetting(AnyConfig& config, Visitor&& visit) {
 /// Reads settings and the table `access_points` from a tree of parameters. A setting that is absent
 /// has the value of the noise level, or else the default.
 /// @throw InputError naming every setting that is missing, of the wrong type or out of range.
-SimulatorConfig simulatorConfigFromYaml(const YAML::Node& tree);
+SimulatorConfig simulatorConfigFromYaml(const YAML::Node& node);
 
 /// The paths in a tree of parameters that are no settings, probably misspelt.
-std::vector<std::string> unknownSimulatorSettings(const YAML::Node& tree);
+std::vector<std::string> unknownSimulatorSettings(const YAML::Node& node);
 
 }  // namespace sfw

@@ -9,9 +9,9 @@
 #include "base/constants.h"
 #include "files/map_server.h"
 #include "simulation/building/wall_crossings.h"
+#include "structure_from_wifi/access_points_io.h"
 #include "structure_from_wifi/input_error.h"
 #include "structure_from_wifi/readings_io.h"
-#include "structure_from_wifi/settings_io.h"
 #include "support/ascii_world.h"
 
 namespace sfw {

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "structure_from_wifi/export.h"
+#include "structure_from_wifi/types.h"
+
+namespace YAML {
+class Node;
+}
+
+namespace sfw {
+
+/// A table of access points, with warnings for its author.
+struct AccessPointReading {
+  std::vector<AccessPoint> access_points;  ///< in the order of the table
+  std::vector<std::string> warnings;       ///< keys that nobody reads
+};
+
+/// Reads `[{bssid, x?, y?, z?, name?, tx_dbm?}]`.
+/// @throw InputError if the table is missing or empty, or naming every unusable or double entry.
+SFW_EXPORT AccessPointReading accessPointsFromYaml(const YAML::Node& table);
+
+/// As accessPointsFromYaml, from a file whose key `access_points` holds the table.
+/// @throw InputError naming the file, also if it cannot be read or parsed.
+SFW_EXPORT AccessPointReading readAccessPoints(const std::string& file);
+
+/// The text of a table that readAccessPoints reads back to the same access points.
+SFW_EXPORT std::string accessPointsYaml(const std::vector<AccessPoint>& access_points);
+
+}  // namespace sfw

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/validation.h"
+#include "files/yaml.h"
+#include "structure_from_wifi/config.h"
+
+namespace sfw {
+
+/// Settings in nested YAML maps, read by path ("map/resolution"). It collects everything wrong with
+/// them, so that the user sees all of it at once.
+class SettingsTree {
+ public:
+  /// The key `access_points` is left to its own reader.
+  /// @param tree  groups of 'name: value'; null for none
+  /// @throw InputError if it is anything else
+  explicit SettingsTree(const YAML::Node& tree);
+
+  /// Accepts a former name of a setting, with a warning.
+  ///
+  /// Launch files load the shipped defaults before a user's own settings. So a former name counts
+  /// even beside the setting, unless the setting has another value than its default.
+  void addFormerName(const std::string& former, const std::string& name) {
+    former_names_[name] = former;
+  }
+
+  /// Reads the setting into `value`, which keeps its default if the tree has no such setting. A
+  /// value of the wrong type is a problem.
+  template <class T>
+  void read(const std::string& name, T& value) {
+    known_.push_back(name);
+    const T default_value = value;
+    take(name, value);
+    const auto former = former_names_.find(name);
+    if (former == former_names_.end() || values_.count(former->second) == 0) {
+      return;
+    }
+    const bool counts = value == default_value;
+    warnOfFormerName(former->second, name, counts);
+    T former_value = default_value;
+    take(former->second, former_value);
+    value = counts ? former_value : value;
+  }
+
+  /// Drops a group that another reader is responsible for.
+  void dropGroup(const std::string& group);
+
+  /// The problems found so far. The reader adds its own.
+  Problems& problems() { return problems_; }
+
+  /// Names that the tree has and nobody read.
+  std::vector<std::string> unknown() const;
+
+  /// A warning for each former name, and one for each unknown name with the nearest known one.
+  std::vector<std::string> warnings() const;
+
+ private:
+  /// Takes the value out of the tree.
+  template <class T>
+  void take(const std::string& name, T& value) {
+    const auto found = values_.find(name);
+    if (found != values_.end()) {
+      if (!readScalar(found->second, value)) {
+        problems_.add(name + " must be " + typeName(value));
+      }
+      values_.erase(found);
+    }
+  }
+
+  void warnOfFormerName(const std::string& former, const std::string& name, bool counts);
+  void flatten(const YAML::Node& node, const std::string& path);
+  bool isGroup(const std::string& name) const;
+  std::string nearest(const std::string& name) const;
+
+  std::map<std::string, YAML::Node> values_;  // not read yet, by path
+  std::vector<std::string> known_;
+  std::map<std::string, std::string> former_names_;  // by the name of now
+  std::vector<std::string> former_warnings_;
+  Problems problems_;
+};
+
+/// Reads the settings of the mapper and adds every problem of validate().
+void readSettings(SettingsTree& tree, Config& config);
+
+}  // namespace sfw

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "structure_from_wifi/config.h"
+
+namespace YAML {
+class Node;
+}
+
+namespace sfw {
+
+/// Settings that only the ROS side of mapping has: the group `ros` in config/mapping.yaml.
+struct RosSettings {
+  std::string map_frame = "map";            ///< of the map and the access points
+  std::string antenna_frame = "base_link";  ///< whose position a reading has
+  std::string odom_frame = "odom";          ///< readings follow it when the past is corrected
+  double jump_distance_m = 0.1;             ///< a larger correction of odom_frame moves the past
+  double jump_angle_rad = 0.05;             ///< likewise
+  double publish_rate_hz = 1.0;             ///< upper limit of map updates
+  double transform_timeout_s = 5.0;         ///< how long a scan waits for its transform
+  double tf_cache_s = 30.0;                 ///< how long transforms are kept
+  std::int64_t max_waiting = 2000;          ///< scans that may wait for a transform
+  std::string save_directory = "~/.ros/structure_from_wifi";  ///< of ~save_map
+};
+
+/// Calls `visit(name, member)` for each setting, as forEachSetting does for those of the mapper.
+template <class AnySettings, class Visitor>
+void forEachRosSetting(AnySettings& settings, Visitor&& visit) {
+  visit("ros/map_frame", settings.map_frame);
+  visit("ros/antenna_frame", settings.antenna_frame);
+  visit("ros/odom_frame", settings.odom_frame);
+  visit("ros/jump_distance", settings.jump_distance_m);
+  visit("ros/jump_angle", settings.jump_angle_rad);
+  visit("ros/publish_rate", settings.publish_rate_hz);
+  visit("ros/transform_timeout", settings.transform_timeout_s);
+  visit("ros/tf_cache", settings.tf_cache_s);
+  visit("ros/max_waiting", settings.max_waiting);
+  visit("ros/save_directory", settings.save_directory);
+}
+
+/// Every problem of the settings, one sentence each that starts with the setting's name.
+std::vector<std::string> validate(const RosSettings& settings);
+
+/// All settings of config/mapping.yaml.
+struct MappingSettings {
+  Config config;
+  RosSettings ros;
+  std::vector<std::string> warnings;  ///< unknown names, each with the nearest known one
+};
+
+/// Reads settings over the defaults. The key `access_points` is left to readAccessPoints.
+/// @throw InputError naming every setting of the wrong type and every problem of validate().
+MappingSettings mappingSettingsFromYaml(const YAML::Node& node);
+
+/// As mappingSettingsFromYaml, from a file.
+/// @throw InputError naming the file, also if it cannot be read or parsed.
+MappingSettings readMappingSettings(const std::string& file);
+
+}  // namespace sfw

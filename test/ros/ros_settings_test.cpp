@@ -1,0 +1,122 @@
+#include "ros/conversion/ros_settings.h"
+
+#include <gtest/gtest.h>
+#include <yaml-cpp/yaml.h>
+
+#include <cmath>
+#include <set>
+
+#include "ros/conversion/parameters.h"
+#include "structure_from_wifi/input_error.h"
+
+namespace sfw {
+namespace {
+
+using Names = std::vector<std::string>;
+
+/// The settings that validate() complains of after one of them was changed.
+template <class T>
+Names brokenBy(const std::string& name, T value) {
+  RosSettings settings;
+  forEachRosSetting(settings, [&](const std::string& known, auto& setting) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(setting)>, T>) {
+      setting = known == name ? value : setting;
+    }
+  });
+  Names names;
+  for (const std::string& problem : validate(settings)) {
+    names.push_back(problem.substr(0, problem.find(' ')));
+  }
+  return names;
+}
+
+TEST(RosSettings, DefaultsAreValid) { EXPECT_EQ(validate(RosSettings()), Names()); }
+
+TEST(RosSettings, NumbersHaveTheirRanges) {
+  for (const std::string name :
+       {"ros/jump_distance", "ros/jump_angle", "ros/publish_rate", "ros/tf_cache"}) {
+    for (const double bad : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
+      EXPECT_EQ(brokenBy(name, bad), Names{name}) << bad;
+    }
+    EXPECT_EQ(brokenBy(name, 1e-3), Names());
+  }
+  EXPECT_EQ(brokenBy("ros/transform_timeout", -1e-9), Names{"ros/transform_timeout"});
+  EXPECT_EQ(brokenBy("ros/transform_timeout", 0.0), Names());
+  EXPECT_EQ(brokenBy("ros/max_waiting", std::int64_t{0}), Names{"ros/max_waiting"});
+  EXPECT_EQ(brokenBy("ros/max_waiting", std::int64_t{1}), Names());
+}
+
+TEST(RosSettings, FramesAndTheDirectoryHaveNames) {
+  for (const std::string name : {"ros/map_frame", "ros/antenna_frame", "ros/odom_frame"}) {
+    EXPECT_EQ(brokenBy(name, std::string()), Names{name});
+    EXPECT_EQ(brokenBy(name, std::string("/map")), Names{name});
+  }
+  EXPECT_EQ(brokenBy("ros/save_directory", std::string()), Names{"ros/save_directory"});
+}
+
+/// Names and values of all settings, as text.
+Names described(const MappingSettings& settings) {
+  Names described;
+  const auto describe = [&](const std::string& name, const auto& value) {
+    described.push_back(name + " = " + YAML::Dump(YAML::Node(value)));
+  };
+  forEachSetting(settings.config, describe);
+  forEachRosSetting(settings.ros, describe);
+  return described;
+}
+
+TEST(MappingSettings, TheShippedFileHoldsEverySettingWithItsDefault) {
+  const std::string file = std::string(SFW_SOURCE_DIR) + "/config/mapping.yaml";
+  const MappingSettings settings = readMappingSettings(file);
+  EXPECT_EQ(settings.warnings, Names());
+  EXPECT_EQ(described(settings), described(MappingSettings()));
+  const YAML::Node group = YAML::LoadFile(file)["ros"];
+  std::size_t count = 0;
+  forEachRosSetting(settings.ros, [&](const std::string& name, const auto&) {
+    EXPECT_TRUE(group[name.substr(name.find('/') + 1)]) << name;
+    ++count;
+  });
+  EXPECT_EQ(group.size(), count);
+}
+
+TEST(MappingSettings, ParametersGiveBothGroups) {
+  XmlRpc::XmlRpcValue tree;
+  tree["map"]["resolution"] = 0.1;
+  tree["ros"]["map_frame"] = "floor";
+  tree["ros"]["transform_timeout"] = 2;
+  const MappingSettings settings = mappingSettingsFromYaml(toYaml(tree));
+  EXPECT_EQ(settings.config.map.resolution_m, 0.1);
+  EXPECT_EQ(settings.ros.map_frame, "floor");
+  EXPECT_EQ(settings.ros.transform_timeout_s, 2.0);
+  EXPECT_EQ(settings.warnings, Names());
+}
+
+TEST(MappingSettings, ParametersMayHaveTheirFormerNames) {
+  XmlRpc::XmlRpcValue tree;
+  tree["inference"]["max_gap"] = 2.5;
+  tree["path"]["max_gap"] = 1.0;  // as shipped: launch files load the shipped file first
+  const MappingSettings settings = mappingSettingsFromYaml(toYaml(tree));
+  EXPECT_EQ(settings.config.path.max_gap_m, 2.5);
+  ASSERT_EQ(settings.warnings.size(), 1U);
+  EXPECT_EQ(settings.warnings[0].rfind("inference/max_gap is now called path/max_gap", 0), 0U);
+}
+
+TEST(MappingSettings, AnUnknownNameGetsTheNearestOfBothGroups) {
+  EXPECT_EQ(mappingSettingsFromYaml(YAML::Load("ros: {map_fram: x}\nantenna_frame: y")).warnings,
+            (Names{"antenna_frame is not a setting; did you mean ros/antenna_frame?",
+                   "ros/map_fram is not a setting; did you mean ros/map_frame?"}));
+}
+
+TEST(MappingSettings, AnErrorNamesTheProblemsOfBothGroups) {
+  try {
+    mappingSettingsFromYaml(YAML::Load("map: {margin: -1}\nros: {publish_rate: }"));
+    FAIL() << "the settings were accepted";
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "map/margin must be finite and positive; it is -1\n"
+              "ros/publish_rate must be a number");
+  }
+}
+
+}  // namespace
+}  // namespace sfw
