@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -13,6 +12,7 @@
 #include "base/random.h"
 #include "cli/commands.h"
 #include "cli/floor_plan_files.h"
+#include "cli/parallel_for.h"
 #include "cli/progress.h"
 #include "files/atomic_file.h"
 #include "simulation/building/floor_plan_generator.h"
@@ -58,20 +58,11 @@ class Drives {
   /// Returns labelled cells of all drives. Their order does not depend on the threads.
   std::vector<TrainingCells> make() {
     std::vector<std::optional<TrainingCells>> made(count());
-    std::atomic<std::size_t> next{0};
-    std::vector<std::thread> workers;
-    for (std::int64_t i = 0; i < options_.workers; ++i) {
-      workers.emplace_back([&] {
-        for (std::size_t drive = next++; drive < made.size(); drive = next++) {
-          made[drive] = makeOne(drive);
-          const std::lock_guard<std::mutex> lock(mutex_);
-          progress_.add();
-        }
-      });
-    }
-    for (std::thread& worker : workers) {
-      worker.join();
-    }
+    parallelFor(made.size(), options_.workers, [&](std::size_t drive) {
+      made[drive] = makeOne(drive);
+      const std::lock_guard<std::mutex> lock(mutex_);
+      progress_.add();
+    });
     std::vector<TrainingCells> drives;
     for (std::optional<TrainingCells>& drive : made) {
       if (drive) {

@@ -6,7 +6,6 @@
 #include "structure_from_wifi/mapper.h"
 
 namespace sfw {
-namespace {
 
 Mapper mapperOf(const std::vector<Reading>& readings, const std::vector<AccessPoint>& access_points,
                 const Config& config) {
@@ -16,8 +15,6 @@ Mapper mapperOf(const std::vector<Reading>& readings, const std::vector<AccessPo
   }
   return mapper;
 }
-
-}  // namespace
 
 std::vector<Reading> withShiftedRadio(const std::vector<Reading>& readings, int shift) {
   std::map<Bssid, std::vector<std::size_t>> series;
@@ -35,26 +32,27 @@ std::vector<Reading> withShiftedRadio(const std::vector<Reading>& readings, int 
   return shifted;
 }
 
-AblationMetrics evaluateControls(const EvaluationInput& input, const std::vector<Reading>& readings,
-                                 const std::vector<AccessPoint>& access_points,
-                                 const Config& config) {
-  AblationMetrics controls;
-  EvaluationInput control = input;
+AblationMetrics evaluateAblations(const EvaluationInput& input,
+                                  const std::vector<Reading>& readings,
+                                  const std::vector<AccessPoint>& access_points,
+                                  const Config& config) {
+  AblationMetrics ablations;
+  EvaluationInput ablation = input;
   for (int shift = 1; shift <= kRadioShifts; ++shift) {
     const Mapper mapper = mapperOf(withShiftedRadio(readings, shift), access_points, config);
-    setMap(*mapper.infer(), control);
-    controls.shifted_radio.push_back(evaluate(control).map);
+    setMap(*mapper.infer(), ablation);
+    ablations.shifted_radio.push_back(evaluate(ablation).map);
   }
-  setBelief(mapperOf(readings, access_points, config).inferWithoutRadio()->belief, control);
-  controls.no_radio = evaluate(control).map;
-  return controls;
+  setBelief(mapperOf(readings, access_points, config).inferWithoutRadio()->belief, ablation);
+  ablations.no_radio = evaluate(ablation).map;
+  return ablations;
 }
 
 void setBelief(const BeliefMap& belief, EvaluationInput& input) {
   const GridGeometry& geometry = belief.geometry();
   input.map = Grid<CellState>(geometry);
   input.probabilities = Grid<float>(geometry);
-  input.wall_loss.reset();
+  input.wall_loss_db.reset();
   forEachCell(geometry, [&](Cell c) {
     input.map[c] = belief.state(c);
     (*input.probabilities)[c] = belief.occupied(c);
@@ -64,7 +62,7 @@ void setBelief(const BeliefMap& belief, EvaluationInput& input) {
 void setMap(const Snapshot& snapshot, EvaluationInput& input) {
   setBelief(snapshot.belief, input);
   if (snapshot.tomography) {
-    input.wall_loss = snapshot.tomography->wall_loss;
+    input.wall_loss_db = snapshot.tomography->wall_loss;
   }
 }
 

@@ -10,31 +10,38 @@
 
 namespace sfw {
 
-/// How many shifts of the radio the controls try.
+/// Number of shifts of the signals along the path.
 constexpr int kRadioShifts = 8;
 
-/// A real signal at wrong places: each access point's signal strengths moved along the path by
-/// `shift` of kRadioShifts + 1 parts of its run, in the order of the readings.
+/// A mapper with readings inserted. @throw InputError as Mapper
+Mapper mapperOf(const std::vector<Reading>& readings, const std::vector<AccessPoint>& access_points,
+                const Config& config);
+
+/// Shifts the signal strengths of each access point along the path: real signals at wrong places.
+///
+/// @param shift  1..kRadioShifts; number of (kRadioShifts + 1)-ths of the run, in the order of the
+/// readings
 std::vector<Reading> withShiftedRadio(const std::vector<Reading>& readings, int shift);
 
-/// The figures that the same mapper reaches with less than the truth to hear: what it owes to the
-/// radio is its distance from them.
+/// Metrics of the same mapper without the true signals. The difference from the metrics of the map
+/// is the contribution of the radio.
 struct AblationMetrics {
   std::vector<MapMetrics> shifted_radio;  ///< one for each shift
-  MapMetrics no_radio;                    ///< the path alone by the mapper's own rules
+  MapMetrics no_radio;                    ///< the path alone, by the rules of the mapper
 };
 
-/// Maps the readings again for each control and compares with the truth.
+/// Maps the readings again for each ablation and compares with the truth.
 /// @param input  as for the map itself; its map and probabilities are replaced
 /// @throw InputError as Mapper and evaluate
-AblationMetrics evaluateControls(const EvaluationInput& input, const std::vector<Reading>& readings,
-                                 const std::vector<AccessPoint>& access_points,
-                                 const Config& config);
+AblationMetrics evaluateAblations(const EvaluationInput& input,
+                                  const std::vector<Reading>& readings,
+                                  const std::vector<AccessPoint>& access_points,
+                                  const Config& config);
 
-/// The map and probabilities of a belief, for evaluate(), without wall losses.
+/// Sets the map and the probabilities of the input from a belief, and removes its wall losses.
 void setBelief(const BeliefMap& belief, EvaluationInput& input);
 
-/// The same of a mapper's belief, with the wall losses that it found.
+/// Sets the map, the probabilities and the wall losses of the input from a snapshot.
 void setMap(const Snapshot& snapshot, EvaluationInput& input);
 
 }  // namespace sfw

@@ -7,29 +7,27 @@
 
 namespace sfw {
 
-/// A PNG for people that lays a map over the truth: free space found and missed, walls found and
-/// missed, walls that the map calls free, walls that the map has in free space; the path, the
-/// access points and a legend.
+/// Draws a map over the truth as a PNG. Colours show free space and walls found and missed, walls
+/// called free and walls drawn in free space. Path, access points and a legend complete it.
 ///
-/// Walls agree within 0.1 m, as in the figures of evaluate(). What the truth does not know is left
-/// out. Map and truth lie in one frame; their grids may differ.
+/// Walls agree within 0.1 m, as in the metrics of evaluate(). Unknown cells of the truth stay
+/// empty. Map and truth lie in one frame; their grids may differ.
 /// @throw InputError if the truth has no known cell; std::runtime_error if Cairo fails.
 /// O(cells of the truth).
 std::string renderComparison(const EvaluationInput& input);
 
-/// A map to be shown beside others.
+/// One map of renderPanels.
 struct MapPanel {
   std::string title;
   std::string note;  ///< a short line below the title
   Grid<CellState> map;
 };
 
-/// A PNG for people of the truth, with path and access points, and maps beside it: one row of
-/// panels at one scale, cut alike, with titles and a scale bar. True walls show faintly where a map
-/// has none.
+/// Draws the truth and maps side by side as a PNG: one row of panels of the same area and scale,
+/// with titles and a scale bar. Faint lines show true walls that a map lacks.
 ///
 /// @param truth_note  line below the truth's title
-/// @param with_legend  what the colours mean; one row of several may do without
+/// @param with_legend  draw the meaning of the colours
 /// @throw as renderComparison. O(cells of the truth and of the maps).
 std::string renderPanels(const EvaluationInput& input, const std::string& truth_note,
                          const std::vector<MapPanel>& maps, bool with_legend);

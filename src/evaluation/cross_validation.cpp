@@ -28,7 +28,7 @@ struct Part {
   AccessPointBins hidden;
 };
 
-/// Signals and what they are predicted from at some bins.
+/// Signals at some bins, with the inputs of their prediction.
 struct Bins {
   Eigen::VectorXd signals;    // [dBm], walls' losses added back
   Eigen::VectorXd wall_loss;  // [dB]
@@ -41,7 +41,7 @@ std::vector<int> foldsOf(const std::vector<Reading>& readings, const PredictionC
   double way = 0.0;
   for (std::size_t i = 0; i < readings.size(); ++i) {
     way += i > 0 ? (readings[i].antenna_in_map - readings[i - 1].antenna_in_map).norm() : 0.0;
-    folds.push_back(static_cast<int>(std::fmod(std::floor(way / config.stretch), config.folds)));
+    folds.push_back(static_cast<int>(std::fmod(std::floor(way / config.stretch_m), config.folds)));
   }
   return folds;
 }
@@ -50,7 +50,7 @@ double rootMeanSquare(double sum, std::size_t count) {
   return std::sqrt(sum / static_cast<double>(count));
 }
 
-/// Log-distance law fitted to bins, and what is left of each.
+/// A log-distance law fitted to bins, with the residual of each bin.
 class Law {
  public:
   Law(const AccessPointBins& heard, const Bins& bins, const SignalCovariance& model)
@@ -69,7 +69,7 @@ class Law {
     residual_ = bins.signals - bins.basis * law_;
   }
 
-  /// Predicted signals, walls' losses left out [dBm].
+  /// Predicted signals [dBm], without the losses of walls.
   Eigen::VectorXd mean(const Bins& bins) const { return bins.basis * law_; }
 
   /// What the nearest places have more than the law says [dB].
@@ -108,10 +108,10 @@ class Law {
   Eigen::VectorXd residual_;
 };
 
-/// What a way to predict has come to.
-struct Squares {
-  double mean = 0.0;
-  double shadowed = 0.0;
+/// Sums of squared errors of one way to predict [dB2].
+struct SquaredErrors {
+  double mean = 0.0;      ///< without shadowing
+  double shadowed = 0.0;  ///< with the residuals of the nearest bins
 };
 
 class Prediction {
@@ -128,7 +128,7 @@ class Prediction {
     frame_ = findBuildingFrame(path, kMaxGap);
   }
 
-  std::optional<PredictionMetrics> figures(const std::atomic<bool>& stop) {
+  std::optional<PredictionMetrics> metrics(const std::atomic<bool>& stop) {
     const std::optional<GridGeometry> geometry = grid();
     if (!geometry) {
       return std::nullopt;
@@ -182,7 +182,7 @@ class Prediction {
       }
       const auto inBins = [&](const std::vector<Sample>& samples) {
         return binSamples(samples, access_point.position, access_point.height_m, frame_,
-                          config_.bin);
+                          config_.bin_size_m);
       };
       Part part{inBins(known), inBins(hidden)};
       if (part.known.bins.size() >= kFewestBins && !part.hidden.bins.empty()) {
@@ -198,7 +198,7 @@ class Prediction {
       known.push_back(part.known);
     }
     const WallField field =
-        estimateWalls(path.geometry, known, path, config_.robot_radius, config_.walls, stop);
+        estimateWalls(path.geometry, known, path, config_.robot_radius_m, config_.walls, stop);
     for (const Part& part : parts) {
       add(part, nullptr, distance_);
       add(part, &field, walls_);
@@ -221,15 +221,15 @@ class Prediction {
     return bins;
   }
 
-  void add(const Part& part, const WallField* field, Squares& squares) const {
+  void add(const Part& part, const WallField* field, SquaredErrors& sum) const {
     Law law(part.known, describe(part.known, field), config_.shadowing);
     const Bins hidden = describe(part.hidden, field);
     const Eigen::VectorXd error = hidden.signals - law.mean(hidden);
     for (Eigen::Index i = 0; i < error.size(); ++i) {
       const double shadowing =
           law.shadowing(part.hidden.bins[static_cast<std::size_t>(i)].position);
-      squares.mean += error[i] * error[i];
-      squares.shadowed += (error[i] - shadowing) * (error[i] - shadowing);
+      sum.mean += error[i] * error[i];
+      sum.shadowed += (error[i] - shadowing) * (error[i] - shadowing);
     }
   }
 
@@ -237,8 +237,8 @@ class Prediction {
   const std::vector<AccessPoint>& access_points_;
   const PredictionConfig& config_;
   BuildingFrame frame_;
-  Squares distance_;
-  Squares walls_;
+  SquaredErrors distance_;
+  SquaredErrors walls_;
   std::size_t bins_ = 0;
 };
 
@@ -256,7 +256,7 @@ PredictionConfig::PredictionConfig() {
 std::optional<PredictionMetrics> predictHiddenStretches(
     const std::vector<Reading>& readings, const std::vector<AccessPoint>& access_points,
     const PredictionConfig& config, const std::atomic<bool>& stop) {
-  return Prediction(readings, access_points, config).figures(stop);
+  return Prediction(readings, access_points, config).metrics(stop);
 }
 
 }  // namespace sfw

@@ -11,35 +11,34 @@
 
 namespace sfw {
 
-/// How readings are hidden and predicted.
+/// Settings of the cross-validation.
 struct PredictionConfig {
   PredictionConfig();
 
-  double stretch = 3.0;        ///< way that is hidden at a time [m]
-  int folds = 5;               ///< each hides every fifth stretch
-  double bin = 0.2;            ///< edge of the squares whose mean signals are predicted [m]
-  double robot_radius = 0.15;  ///< no wall stands closer to the path [m]
+  double stretch_m = 3.0;        ///< length of a hidden stretch of the path
+  int folds = 5;                 ///< each hides every fifth stretch
+  double bin_size_m = 0.2;       ///< edge of the squares whose mean signals are predicted
+  double robot_radius_m = 0.15;  ///< no wall stands closer to the path
   WallFieldConfig walls;
-  SignalCovariance shadowing;  ///< of what neither distance nor walls explain
+  SignalCovariance shadowing;  ///< of the residual that neither distance nor walls explain
 };
 
-/// How far predictions are from the signals on hidden stretches: root mean squares over all bins of
-/// all access points [dB].
+/// Root-mean-square errors of predicted signals, over all hidden bins of all access points.
 struct PredictionMetrics {
-  std::size_t bins = 0;            ///< hidden ones
-  double distance = 0.0;           ///< predicted by the law of distance alone
-  double walls = 0.0;              ///< and the walls that the other stretches tell of
-  double distance_shadowed = 0.0;  ///< by distance and the signals of the nearest places
-  double walls_shadowed = 0.0;     ///< by all three
+  std::size_t bins = 0;               ///< number of hidden bins
+  double distance_db = 0.0;           ///< predicted by the law of distance alone
+  double walls_db = 0.0;              ///< by distance and the walls found from the other stretches
+  double distance_shadowed_db = 0.0;  ///< by distance and the signals of the nearest bins
+  double walls_shadowed_db = 0.0;     ///< by all three
 };
 
-/// Says how much of the signals is understood, which needs no truth but the recording itself.
+/// Measures how well distance and walls predict hidden signals. It needs no true map.
 ///
 /// The way is cut into stretches, dealt to folds in turn. Each fold is hidden once, for all access
 /// points: from the other readings walls are estimated, power and exponent fitted with the priors
 /// of `shadowing`, and the mean signals of the hidden bins predicted, with and without the walls'
-/// losses and the residuals of the nearest 16 bins (kriging). What walls gain over distance is
-/// what radio knows about the building; nearest places alone gain much of it without knowing why.
+/// losses and the residuals of the nearest 16 bins (kriging). The gain of walls over distance
+/// measures the radio's knowledge of the building. The nearest bins alone reach much of that gain.
 ///
 /// @param readings       map frame, in any order
 /// @param access_points  those that have no readings are left out

@@ -13,7 +13,7 @@ namespace {
 constexpr double kTolerance = 0.1;    // [m] of the tolerant free precision
 constexpr double kBeyond = 0.3;       // [m] from the path
 constexpr double kTwoCells = 2.0;     // tolerance of walls
-constexpr double kFourCells = 4.0;    // that of what radio alone calls walls, beside the former
+constexpr double kFourCells = 4.0;    // second tolerance, of walls by the radio alone
 constexpr double kMostlyKnown = 0.9;  // share of known cells from which the others are left out
 constexpr double kLeastProbability = 0.5 / 255.0;  // half a step of an 8-bit raster
 
@@ -47,7 +47,7 @@ std::optional<Mask> observedWalls(const EvaluationTruth& truth) {
   return truth.observed ? std::optional(both(truth.walls, *truth.observed)) : std::nullopt;
 }
 
-FreeFigures freeFigures(const Mask& free, const EvaluationTruth& truth) {
+FreeMetrics freeMetrics(const Mask& free, const EvaluationTruth& truth) {
   const double resolution = truth.lattice().resolution();
   const Grid<double> to_region = distanceTransform(truth.region);
   const Grid<double> to_path = distanceTransform(truth.path);
@@ -58,45 +58,45 @@ FreeFigures freeFigures(const Mask& free, const EvaluationTruth& truth) {
     far.cells[i] = free.cells[i] != 0 && to_path.cells[i] * resolution > kBeyond ? 1 : 0;
   }
   const auto shared = static_cast<double>(count(both(free, truth.region)));
-  FreeFigures figures;
-  figures.precision = share(free, truth.region);
-  figures.tolerant_precision = share(free, near_region);
-  figures.recall = share(truth.region, free);
-  figures.iou = shared / (static_cast<double>(count(free)) +
+  FreeMetrics metrics;
+  metrics.precision = share(free, truth.region);
+  metrics.tolerant_precision = share(free, near_region);
+  metrics.recall = share(truth.region, free);
+  metrics.iou = shared / (static_cast<double>(count(free)) +
                           static_cast<double>(count(truth.region)) - shared);
-  figures.beyond_m2 = static_cast<double>(count(both(far, truth.region))) * resolution * resolution;
-  figures.beyond_precision = share(far, truth.region);
-  return figures;
+  metrics.beyond_m2 = static_cast<double>(count(both(far, truth.region))) * resolution * resolution;
+  metrics.beyond_precision = share(far, truth.region);
+  return metrics;
 }
 
-WallFigures wallFigures(const Mask& occupied, const EvaluationTruth& truth,
+WallMetrics wallMetrics(const Mask& occupied, const EvaluationTruth& truth,
                         double tolerance_cells) {
   const Mask near_called = dilated(occupied, tolerance_cells);
-  WallFigures figures;
-  figures.precision = share(occupied, dilated(truth.occupied, tolerance_cells));
-  figures.recall = shareIfAny(truth.walls, near_called);
-  if (figures.recall) {
-    const double sum = figures.precision + *figures.recall;
-    figures.f1 = sum > 0.0 ? 2.0 * figures.precision * *figures.recall / sum : 0.0;
+  WallMetrics metrics;
+  metrics.precision = share(occupied, dilated(truth.occupied, tolerance_cells));
+  metrics.recall = shareIfAny(truth.walls, near_called);
+  if (metrics.recall) {
+    const double sum = metrics.precision + *metrics.recall;
+    metrics.f1 = sum > 0.0 ? 2.0 * metrics.precision * *metrics.recall / sum : 0.0;
   }
   if (const std::optional<Mask> observed = observedWalls(truth)) {
-    figures.observed_recall = shareIfAny(*observed, near_called);
+    metrics.observed_recall = shareIfAny(*observed, near_called);
   }
-  return figures;
+  return metrics;
 }
 
-/// Figures that need nothing but the cells called free.
-MapMetrics figuresOfFree(const Mask& called_free, const EvaluationTruth& truth) {
+/// Metrics that need nothing but the cells called free.
+MapMetrics metricsOfFree(const Mask& called_free, const EvaluationTruth& truth) {
   const auto known = static_cast<double>(count(truth.known));
   const bool mostly_known = known > kMostlyKnown * static_cast<double>(truth.known.cells.size());
   const Mask free = mostly_known ? both(called_free, truth.known) : called_free;
-  MapMetrics figures;
-  figures.free = freeFigures(free, truth);
-  figures.leak = shareIfAny(truth.walls, free);
+  MapMetrics metrics;
+  metrics.free = freeMetrics(free, truth);
+  metrics.walls_called_free = shareIfAny(truth.walls, free);
   if (const std::optional<Mask> observed = observedWalls(truth)) {
-    figures.observed_leak = shareIfAny(*observed, free);
+    metrics.observed_walls_called_free = shareIfAny(*observed, free);
   }
-  return figures;
+  return metrics;
 }
 
 /// Probabilities of the compared cells by what the cells are in truth.
@@ -139,16 +139,16 @@ std::optional<double> areaUnderCurve(RatedCells& rated) {
   return won / static_cast<double>(rated.wall.size()) / static_cast<double>(rated.free.size());
 }
 
-ProbabilityFigures probabilityFigures(RatedCells rated) {
-  ProbabilityFigures figures;
-  figures.cells = rated.free.size() + rated.wall.size();
-  figures.auc = areaUnderCurve(rated);
-  if (figures.cells == 0) {
-    return figures;
+ProbabilityMetrics probabilityMetrics(RatedCells rated) {
+  ProbabilityMetrics metrics;
+  metrics.cells = rated.free.size() + rated.wall.size();
+  metrics.auc = areaUnderCurve(rated);
+  if (metrics.cells == 0) {
+    return metrics;
   }
   double squares = 0.0;
   double losses = 0.0;
-  const auto add = [&](double miss) {  // the probability given to what is not the case
+  const auto add = [&](double miss) {  // probability of the wrong state
     squares += miss * miss;
     losses -= std::log(1.0 - std::clamp(miss, kLeastProbability, 1.0 - kLeastProbability));
   };
@@ -158,9 +158,9 @@ ProbabilityFigures probabilityFigures(RatedCells rated) {
   for (const double p : rated.wall) {
     add(1.0 - p);
   }
-  figures.brier = squares / static_cast<double>(figures.cells);
-  figures.log_loss = losses / static_cast<double>(figures.cells);
-  return figures;
+  metrics.brier = squares / static_cast<double>(metrics.cells);
+  metrics.log_loss = losses / static_cast<double>(metrics.cells);
+  return metrics;
 }
 
 /// The greatest value within some cells along an axis.
@@ -180,7 +180,7 @@ Grid<float> greatest(const Grid<float>& values, std::int64_t reach, const Cell& 
   return result;
 }
 
-/// What the radio alone calls a wall: a loss that counts, and the ridge of it.
+/// The cells that count as walls by the radio alone: high losses on a ridge.
 Mask wallsByRadio(const Grid<float>& losses) {
   constexpr float kLeastLoss = 0.6F;   // [dB]
   constexpr float kLeastShare = 0.5F;  // of the greatest around
@@ -194,7 +194,7 @@ Mask wallsByRadio(const Grid<float>& losses) {
   return walls;
 }
 
-/// F1 of what the radio alone calls walls, where the truth knows what there is.
+/// F1 of the walls by the radio alone, where the truth is known.
 std::optional<double> radioWallF1(const Mask& called, const EvaluationTruth& truth,
                                   double tolerance_cells) {
   const Mask observed = both(truth.walls, *truth.observed);
@@ -207,7 +207,7 @@ std::optional<double> radioWallF1(const Mask& called, const EvaluationTruth& tru
   return sum > 0.0 ? 2.0 * precision * *recall / sum : 0.0;
 }
 
-RadioFigures radioFigures(const Grid<float>& wall_loss, const EvaluationTruth& truth) {
+RadioMetrics radioMetrics(const Grid<float>& wall_loss, const EvaluationTruth& truth) {
   const Grid<float> losses = sampled(wall_loss, truth.lattice(), 0.0F);
   const Grid<double> from_path = distanceTransform(truth.path);
   RatedCells all;
@@ -219,7 +219,7 @@ RadioFigures radioFigures(const Grid<float>& wall_loss, const EvaluationTruth& t
     }
     const auto loss = static_cast<double>(losses.cells[i]);
     (wall ? all.wall : all.free).push_back(loss);
-    if (from_path.cells[i] * kEvaluationResolution > kBeyond) {
+    if (from_path.cells[i] * kEvaluationResolutionM > kBeyond) {
       (wall ? off_path.wall : off_path.free).push_back(loss);
     }
   }
@@ -233,21 +233,21 @@ RadioFigures radioFigures(const Grid<float>& wall_loss, const EvaluationTruth& t
           radioWallF1(called, truth, kFourCells)};
 }
 
-MapMetrics figuresOfMap(const EvaluationInput& input, const EvaluationTruth& truth) {
+MapMetrics metricsOfMap(const EvaluationInput& input, const EvaluationTruth& truth) {
   const Grid<CellState> map = sampled(input.map, truth.lattice(), CellState::kUnknown);
   const Mask occupied = cellsOfState(map, CellState::kOccupied);
-  MapMetrics figures = figuresOfFree(cellsOfState(map, CellState::kFree), truth);
-  figures.wall_one_cell = wallFigures(occupied, truth, 1.0);
-  figures.wall_two_cells = wallFigures(occupied, truth, kTwoCells);
+  MapMetrics metrics = metricsOfFree(cellsOfState(map, CellState::kFree), truth);
+  metrics.wall_one_cell = wallMetrics(occupied, truth, 1.0);
+  metrics.wall_two_cells = wallMetrics(occupied, truth, kTwoCells);
   const Mask off_walls = complement(dilated(truth.occupied, kTwoCells));
-  figures.wall_in_free = share(occupied, both(truth.region, off_walls));
+  metrics.wall_in_free = share(occupied, both(truth.region, off_walls));
   if (input.probabilities) {
-    figures.probability = probabilityFigures(rate(*input.probabilities, map, truth));
+    metrics.probability = probabilityMetrics(rate(*input.probabilities, map, truth));
   }
-  if (input.wall_loss && truth.observed) {
-    figures.radio = radioFigures(*input.wall_loss, truth);
+  if (input.wall_loss_db && truth.observed) {
+    metrics.radio = radioMetrics(*input.wall_loss_db, truth);
   }
-  return figures;
+  return metrics;
 }
 
 }  // namespace
@@ -255,10 +255,10 @@ MapMetrics figuresOfMap(const EvaluationInput& input, const EvaluationTruth& tru
 Evaluation evaluate(const EvaluationInput& input) {
   const EvaluationTruth truth = makeEvaluationTruth(input.truth, input.path, input.access_points);
   Evaluation evaluation;
-  evaluation.map = figuresOfMap(input, truth);
-  evaluation.path_only = figuresOfFree(pathOnlyFree(truth.path), truth);
+  evaluation.map = metricsOfMap(input, truth);
+  evaluation.path_only = metricsOfFree(pathOnlyFree(truth.path), truth);
   evaluation.free_m2 =
-      static_cast<double>(count(truth.region)) * kEvaluationResolution * kEvaluationResolution;
+      static_cast<double>(count(truth.region)) * kEvaluationResolutionM * kEvaluationResolutionM;
   evaluation.wall_cells = count(truth.walls);
   if (const std::optional<Mask> observed = observedWalls(truth)) {
     evaluation.observed_wall_cells = count(*observed);

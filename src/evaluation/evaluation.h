@@ -9,11 +9,11 @@
 
 namespace sfw {
 
-/// Edge of the cells on which maps are compared, whatever their own resolution [m].
-constexpr double kEvaluationResolution = 0.05;
+/// Edge [m] of the cells on which maps are compared, whatever their own resolution.
+constexpr double kEvaluationResolutionM = 0.05;
 
 /// How well the cells called free match the truth's free region.
-struct FreeFigures {
+struct FreeMetrics {
   double precision = 0.0;           ///< share of them in the region; 0 if there are none
   double tolerant_precision = 0.0;  ///< share of them within 0.1 m of the region
   double recall = 0.0;              ///< share of the region that is called free
@@ -24,61 +24,64 @@ struct FreeFigures {
 
 /// How well the cells called occupied match the truth's, two cells matching if their centres lie
 /// within a tolerance of each other.
-struct WallFigures {
+struct WallMetrics {
   double precision = 0.0;                 ///< share near any occupied cell; 0 if there are none
   std::optional<double> recall;           ///< share of the walls that are near one
   std::optional<double> f1;               ///< harmonic mean of the two
   std::optional<double> observed_recall;  ///< recall of the observed walls
 };
 
-/// How well the probabilities of cells tell walls from free space.
-struct ProbabilityFigures {
+/// How well the probabilities of cells separate walls from free space.
+struct ProbabilityMetrics {
   std::optional<double> auc;       ///< chance that a wall is rated above a free cell; ties half
   std::optional<double> brier;     ///< mean squared error
   std::optional<double> log_loss;  ///< mean [nat]; probabilities end half an 8-bit step from 0, 1
   std::size_t cells = 0;           ///< that were compared
 };
 
-/// How well what the radio alone says tells walls from free space, over the cells that a ray
-/// crosses. It calls a wall where the loss is 0.6 dB or more, and half or more of the greatest
-/// loss within 0.2 m along the axes; these are compared with the observed walls.
-struct RadioFigures {
+/// How well the wall losses of the radio alone separate walls from free space, over the cells that
+/// a ray crosses.
+///
+/// A cell counts as a wall if its loss is at least 0.6 dB and at least half of the greatest loss
+/// within 0.2 m along the axes. These cells are compared with the observed walls.
+struct RadioMetrics {
   std::optional<double> auc;                 ///< of the wall loss; ties half
   std::optional<double> auc_off_path;        ///< the same farther than 0.3 m from the path
   std::optional<double> wall_f1_two_cells;   ///< tolerance 0.1 m
   std::optional<double> wall_f1_four_cells;  ///< tolerance 0.2 m
 };
 
-/// All figures of one map. A figure is absent where the truth or the input gives it no meaning.
+/// All metrics of one map. A metric is absent if the truth or the input does not define it.
 struct MapMetrics {
-  FreeFigures free;
-  std::optional<WallFigures> wall_one_cell;   ///< tolerance 0.05 m
-  std::optional<WallFigures> wall_two_cells;  ///< tolerance 0.1 m
+  FreeMetrics free;
+  std::optional<WallMetrics> wall_one_cell;   ///< tolerance 0.05 m
+  std::optional<WallMetrics> wall_two_cells;  ///< tolerance 0.1 m
   std::optional<double> wall_in_free;         ///< share of cells called occupied that lie in the
                                               ///< free region, over 0.1 m from occupied cells
-  std::optional<double> leak;                 ///< share of the walls that are called free
-  std::optional<double> observed_leak;        ///< share of the observed walls called free
-  std::optional<ProbabilityFigures> probability;
-  std::optional<RadioFigures> radio;  ///< absent without wall losses or access points
+  std::optional<double> walls_called_free;    ///< share of the walls that are called free
+  std::optional<double> observed_walls_called_free;  ///< share of the observed walls called free
+  std::optional<ProbabilityMetrics> probability;
+  std::optional<RadioMetrics> radio;  ///< absent without wall losses or access points
 };
 
-/// A map's figures beside those of a map made without any radio.
+/// The metrics of a map, and those of a map made from the path alone.
 struct Evaluation {
   MapMetrics map;
-  MapMetrics path_only;  ///< free figures and leaks alone: it has no walls and no probabilities
+  MapMetrics path_only;  ///< only metrics of free cells: it has no walls and no
+                         ///< probabilities
   double free_m2 = 0.0;  ///< area of the truth's free region
   std::size_t wall_cells = 0;
   std::optional<std::size_t> observed_wall_cells;  ///< absent without access points
 };
 
-/// What is compared, and along which path it was mapped.
+/// A map, the truth, and the path that the map was made from.
 struct EvaluationInput {
   Grid<CellState> map;
   Grid<CellState> truth;
-  std::vector<Position> path;                 ///< antenna positions [m] in the order driven
-  std::vector<Position> access_points;        ///< [m]; may be empty
-  std::optional<Grid<float>> probabilities;   ///< of being occupied; not in [0, 1] counts as 0.5
-  std::optional<Grid<float>> wall_loss = {};  ///< what radio alone says of walls [dB]
+  std::vector<Position> path;                    ///< antenna positions [m] in the order driven
+  std::vector<Position> access_points;           ///< [m]; may be empty
+  std::optional<Grid<float>> probabilities;      ///< of being occupied; not in [0, 1] counts as 0.5
+  std::optional<Grid<float>> wall_loss_db = {};  ///< of each cell, by the radio alone
 };
 
 /// Compares a map with the truth on cells of 0.05 m in the truth's frame.
@@ -101,7 +104,7 @@ struct EvaluationInput {
 /// O(cells of the truth + positions x access points x cells on a ray).
 Evaluation evaluate(const EvaluationInput& input);
 
-/// The path-only map of evaluate(): free or unknown. What is in the input's map does not matter.
+/// The path-only map of evaluate(): free or unknown. It does not depend on the map of the input.
 /// @throw as evaluate()
 Grid<CellState> pathOnlyMap(const EvaluationInput& input);
 

@@ -21,14 +21,14 @@ constexpr double kMaxLatticeCells = 64e6;  // 400 m x 400 m; takes a few GB
 /// Whole cells within the truth; in double arithmetic, 43 x 0.05 / 0.05 are but 42.
 GridGeometry latticeOf(const GridGeometry& truth) {
   const auto cells = [&](std::int64_t side) {
-    return std::floor(static_cast<double>(side) * truth.resolution() / kEvaluationResolution);
+    return std::floor(static_cast<double>(side) * truth.resolution() / kEvaluationResolutionM);
   };
   const double width = cells(truth.width());
   const double height = cells(truth.height());
   if (!(width >= 1.0 && height >= 1.0 && width * height <= kMaxLatticeCells)) {
     throw InputError("the truth must cover between 0.05 m x 0.05 m and 160000 m2");
   }
-  return {kEvaluationResolution, truth.origin(), static_cast<std::int64_t>(width),
+  return {kEvaluationResolutionM, truth.origin(), static_cast<std::int64_t>(width),
           static_cast<std::int64_t>(height)};
 }
 
@@ -104,7 +104,7 @@ Mask drawPath(const GridGeometry& lattice, const std::vector<Position>& path) {
 
 Mask drawRays(const GridGeometry& lattice, const std::vector<Position>& path,
               const std::vector<Position>& access_points) {
-  // Ray is exact only so far from the grid, and no signal is heard over 10 km.
+  // Ray is exact only so far from the grid, and no signal reaches 10 km.
   const Position reach(1e4, 1e4);
   const Box near(lattice.box().min() - reach, lattice.box().max() + reach);
   Mask mask(lattice);

@@ -9,7 +9,7 @@
 
 namespace sfw {
 
-/// What a map is compared with, all on one lattice. See evaluate() for the definitions.
+/// The truth as masks on one lattice. See evaluate() for the definitions.
 struct EvaluationTruth {
   explicit EvaluationTruth(const GridGeometry& lattice)
       : region(lattice), walls(lattice), known(lattice), occupied(lattice), path(lattice) {}

@@ -13,7 +13,7 @@
 namespace sfw {
 namespace {
 
-/// Makes and judges the maps of one recording.
+/// Makes and scores the maps of one recording.
 class Benchmark {
  public:
   explicit Benchmark(const Scenario& scenario)
@@ -32,42 +32,34 @@ class Benchmark {
 
   void run(const BenchmarkMethod& method, Config config) {
     method.select(config);
-    const Mapper mapper = mapperOf(config);
+    const Mapper mapper = mapperOf(recording_.readings, access_points_, config);
     setMap(*mapper.infer(), input_);
     add(method.name + ", " + method.shipped, evaluate(input_).map);
     if (method.maps_wall_counts) {
       setBelief(inferred(mapper, trueCounts(), config), input_);
       add(method.name + ", true k", evaluate(input_).map);
     }
-    const AblationMetrics controls =
-        evaluateControls(input_, recording_.readings, access_points_, config);
-    for (const MapMetrics& figures : controls.shifted_radio) {
-      add(method.name + ", shifted radio", figures);
+    const AblationMetrics ablations =
+        evaluateAblations(input_, recording_.readings, access_points_, config);
+    for (const MapMetrics& metrics : ablations.shifted_radio) {
+      add(method.name + ", shifted radio", metrics);
     }
-    add(method.name + ", no radio", controls.no_radio);
+    add(method.name + ", no radio", ablations.no_radio);
   }
 
   void runReferences(const Config& config) {
-    setBelief(inferred(mapperOf(config), {}, config), input_);
+    setBelief(inferred(mapperOf(recording_.readings, access_points_, config), {}, config), input_);
     freeEveryRay();
     const Evaluation evaluation = evaluate(input_);
     add("every ray is free", evaluation.map);
     add("path only", evaluation.path_only);
   }
 
-  std::vector<BenchmarkFigures> takeResults() { return std::move(results_); }
+  std::vector<BenchmarkMetrics> takeResults() { return std::move(results_); }
 
  private:
-  void add(const std::string& made_by, const MapMetrics& figures) {
-    results_.push_back({made_by, figures});
-  }
-
-  Mapper mapperOf(const Config& config) const {
-    Mapper mapper(config, access_points_);
-    for (const Reading& reading : recording_.readings) {
-      mapper.insert(reading);
-    }
-    return mapper;
+  void add(const std::string& made_by, const MapMetrics& metrics) {
+    results_.push_back({made_by, metrics});
   }
 
   BeliefMap inferred(const Mapper& mapper, const std::vector<CountedPath>& heard,
@@ -105,8 +97,8 @@ class Benchmark {
 
   const std::vector<AccessPoint> access_points_;
   const SimulatedRecording recording_;
-  EvaluationInput input_;  // what changes is the map and its probabilities
-  std::vector<BenchmarkFigures> results_;
+  EvaluationInput input_;  // its map, probabilities and wall losses change
+  std::vector<BenchmarkMetrics> results_;
 };
 
 }  // namespace
@@ -116,9 +108,10 @@ std::vector<BenchmarkMethod> benchmarkMethods() {
       {"tomography", "fused belief", false, [](Config& config) { config.method = "tomography"; }},
       {"k_visibility", "K-means k", true, [](Config& config) {
          config.method = "k_visibility";
-         // The default is the other method's; config/k_visibility.yaml has this method's own.
+         // As in config/k_visibility.yaml, unless the user chose a threshold.
+         constexpr double kFreeThreshold = 0.35;
          if (config.belief.free_threshold == Config().belief.free_threshold) {
-           config.belief.free_threshold = 0.35;
+           config.belief.free_threshold = kFreeThreshold;
          }
        }}};
 }
@@ -144,7 +137,7 @@ std::vector<BenchmarkMethod> benchmarkMethods(const std::vector<std::string>& na
   return methods;
 }
 
-std::vector<BenchmarkFigures> runBenchmark(const Scenario& scenario,
+std::vector<BenchmarkMetrics> runBenchmark(const Scenario& scenario,
                                            const std::vector<BenchmarkMethod>& methods,
                                            const Config& config) {
   Benchmark benchmark(scenario);

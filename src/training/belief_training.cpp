@@ -126,7 +126,7 @@ BeliefModel::Expert expertFor(DrivingStyle style, const std::vector<TrainingCell
       styles.push_back(BeliefModel::styleVector(drive.style));
     }
   }
-  constexpr std::size_t kLeastDrives = 5;  // for a covariance of three figures
+  constexpr std::size_t kLeastDrives = 5;  // for a covariance of three metrics
   if (styles.size() < kLeastDrives) {
     throw std::invalid_argument("a belief model needs five drives of each style");
   }

@@ -45,14 +45,14 @@ class Tables(Bench):
         self.assertRegex(rows[0][2], r"^[01]\.\d{3} ± 0\.\d{3}$")
         report = json.loads(report)
         self.assertEqual([row["made_by"] for row in report["summary"]], MAPS)
-        counts = [row["figures"]["free_iou"]["count"] for row in report["summary"]]
+        counts = [row["metrics"]["free_iou"]["count"] for row in report["summary"]]
         self.assertEqual(counts, [2, 16, 2, 2, 2, 16, 2, 2, 2])
         self.assertEqual([recording["seed"] for recording in report["recordings"]], [1, 2])
-        shipped = [recording["maps"][0]["figures"]["free_iou"]
+        shipped = [recording["maps"][0]["metrics"]["free_iou"]
                    for recording in report["recordings"]]
-        figure = report["summary"][0]["figures"]["free_iou"]
-        self.assertAlmostEqual(figure["mean"], sum(shipped) / 2)
-        self.assertAlmostEqual(figure["sd"], abs(shipped[0] - shipped[1]) / 2, places=6)
+        metric = report["summary"][0]["metrics"]["free_iou"]
+        self.assertAlmostEqual(metric["mean"], sum(shipped) / 2)
+        self.assertAlmostEqual(metric["sd"], abs(shipped[0] - shipped[1]) / 2, places=6)
         self.assertEqual(report["failed"], [])
 
     def test_workers_do_not_matter(self):

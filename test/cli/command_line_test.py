@@ -186,9 +186,9 @@ class GoodInput(CommandLine):
         self.good(self.map())
         run = self.good(self.sfw("evaluate", "--map", self.output / "map.yaml", "--truth",
                                  self.output / "map.yaml", "--readings", self.readings, "--json"))
-        figures = json.loads(run.stdout)
-        self.assertEqual(figures["map"]["free_precision"], 1.0)
-        self.assertEqual(figures["map"]["free_iou"], 1.0)
+        metrics = json.loads(run.stdout)
+        self.assertEqual(metrics["map"]["free_precision"], 1.0)
+        self.assertEqual(metrics["map"]["free_iou"], 1.0)
         table = self.good(self.sfw("evaluate", "--map", self.output / "map.yaml", "--truth",
                                    self.output / "map.yaml", "--readings", self.readings)).stdout
         self.assertIn("path only", table)
@@ -249,8 +249,8 @@ class Comparison(CommandLine):
         judge = ("evaluate", "--map", made, "--truth", made, "--readings", self.readings,
                  "--beside")
         run = self.good(self.sfw(*judge, "the same=%s" % made, "--panels", panels, "--json"))
-        figures = json.loads(run.stdout)
-        self.assertEqual(figures["beside"], {"the same": figures["map"]})
+        metrics = json.loads(run.stdout)
+        self.assertEqual(metrics["beside"], {"the same": metrics["map"]})
         self.assertTrue(panels.read_bytes().startswith(b"\x89PNG"))
         self.assertIn("the same", self.good(self.sfw(*judge, "the same=%s" % made)).stdout)
         for words in (made, "=%s" % made, "title=none.yaml"):
@@ -304,7 +304,7 @@ class BadOutput(CommandLine):
         self.bad(run, "/proc/sfw_fit")
         self.assertNotIn("done", run.stderr)
 
-    def test_a_picture_that_cannot_be_written_costs_no_figures(self):
+    def test_a_picture_that_cannot_be_written_costs_no_metrics(self):
         self.good(self.map())
         run = self.sfw("evaluate", "--map", self.output / "map.yaml", "--truth",
                        self.output / "map.yaml", "--readings", self.readings, "--json",

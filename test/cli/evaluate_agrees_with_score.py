@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Compares `sfw evaluate` with ../shared/tools/score.py, a second hand's account of many figures.
+"""Compares `sfw evaluate` with ../shared/tools/score.py, a second hand's account of many metrics.
 
 usage: evaluate_agrees_with_score.py SFW
 
@@ -38,7 +38,7 @@ WALL = {
     "wallR": "wall_recall_2",
     "wallF1": "wall_f1_2",
     "occ_in_free": "wall_in_free",
-    "leak": "leak_all_walls",
+    "leak": "all_walls_called_free",
 }
 
 # Runs a script in which argsort(argsort(x)) gives tied values their mean rank: so does this
@@ -114,7 +114,7 @@ def show(name, ours, theirs, note=""):
 
 
 def compare(program, shared, folder, readings):
-    """Prints the figures of one recording; returns how many differ."""
+    """Prints the metrics of one recording; returns how many differ."""
     recording = shared / "data" / "recordings" / folder
     path, truth = recording / readings, recording / "truth.yaml"
     with tempfile.TemporaryDirectory() as output:
@@ -138,7 +138,7 @@ def main():
     require_packages()
     shared = require_shared()
     differing = sum(compare(sys.argv[1], shared, *recording) for recording in RECORDINGS)
-    print(f"{differing} figures differ by more than {TOLERANCE}")
+    print(f"{differing} metrics differ by more than {TOLERANCE}")
     sys.exit(1 if differing else 0)
 
 

@@ -22,7 +22,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 RECORDINGS = pathlib.Path(os.environ.get("SFW_SHARED", ROOT.parent / "shared"),
                           "data", "recordings")
 SHOWN = ["free_precision", "free_precision_tolerant", "free_recall", "free_iou", "beyond_m2",
-         "beyond_precision", "wall_f1_2", "wall_in_free", "leak", "auc"]
+         "beyond_precision", "wall_f1_2", "wall_in_free", "walls_called_free", "auc"]
 
 
 def text(value):
@@ -42,27 +42,27 @@ class Recordings(unittest.TestCase):
         self.assertEqual(run.returncode, 0, run.stderr)
         return run.stdout
 
-    def figures(self, folder, name):
-        """Maps a recording, prints the map's figures beside those of the path, returns them."""
+    def metrics(self, folder, name):
+        """Maps a recording, prints the map's metrics beside those of the path, returns them."""
         recording = RECORDINGS / folder
         readings = ["--readings", recording / name]
         access_points = ["--access-points", recording / "access_points.yaml"]
         self.sfw("map", *readings, *access_points, "--config", ROOT / "config" / "mapping.yaml",
                  "--output", self.output)
-        figures = json.loads(self.sfw(
+        metrics = json.loads(self.sfw(
             "evaluate", "--map", self.output / "map.yaml", "--truth", recording / "truth.yaml",
             *readings, *access_points, "--json"))
         print("\n%-34s %8s %9s" % (folder + "/" + name, "map", "path only"))
-        for figure in SHOWN:
-            print("  %-32s %s  %s" % (figure, text(figures["map"][figure]),
-                                      text(figures["path_only"][figure])))
-        return figures["map"]
+        for metric in SHOWN:
+            print("  %-32s %s  %s" % (metric, text(metrics["map"][metric]),
+                                      text(metrics["path_only"][metric])))
+        return metrics["map"]
 
     def check(self, folder, name, precision, iou, wall_f1):
-        figures = self.figures(folder, name)
-        self.assertGreaterEqual(figures["free_precision"], precision)
-        self.assertGreaterEqual(figures["free_iou"], iou)
-        self.assertGreaterEqual(figures["wall_f1_2"], wall_f1)
+        metrics = self.metrics(folder, name)
+        self.assertGreaterEqual(metrics["free_precision"], precision)
+        self.assertGreaterEqual(metrics["free_iou"], iou)
+        self.assertGreaterEqual(metrics["wall_f1_2"], wall_f1)
 
     def test_two_routers(self):
         self.check("turtlebot_home_a", "two_routers.csv", 0.89, 0.78, 0.40)

@@ -22,7 +22,7 @@ std::vector<Reading> twoRadios(bool with_wall) {
   return readings;
 }
 
-TEST(Controls, AShiftMovesEachRadiosSignalsAlongThePath) {
+TEST(Ablations, AShiftMovesEachRadiosSignalsAlongThePath) {
   const std::vector<Reading> readings = twoRadios(false);
   const std::vector<Reading> shifted = withShiftedRadio(readings, 2);
   ASSERT_EQ(shifted.size(), readings.size());
@@ -35,7 +35,7 @@ TEST(Controls, AShiftMovesEachRadiosSignalsAlongThePath) {
   }
 }
 
-TEST(Controls, WithoutRadioOnlyTheFootprintIsLeftOfWallCounts) {
+TEST(Ablations, WithoutRadioOnlyTheFootprintIsLeftOfWallCounts) {
   AccessPoint access_point;
   access_point.bssid = bssid("02:00:00:00:00:01");
   access_point.position = at(5.0, 5.0);
@@ -43,27 +43,28 @@ TEST(Controls, WithoutRadioOnlyTheFootprintIsLeftOfWallCounts) {
   config.method = "k_visibility";
   config.path.footprint_radius_m = 0.0;  // the cells of the path alone
   EvaluationInput input = rooms();
-  const AblationMetrics controls = evaluateControls(input, twoRadios(true), {access_point}, config);
-  ASSERT_EQ(controls.shifted_radio.size(), static_cast<std::size_t>(kRadioShifts));
+  const AblationMetrics ablations =
+      evaluateAblations(input, twoRadios(true), {access_point}, config);
+  ASSERT_EQ(ablations.shifted_radio.size(), static_cast<std::size_t>(kRadioShifts));
   // Five cells of the row y = 3 out of the room's 25.
-  EXPECT_DOUBLE_EQ(controls.no_radio.free.recall, 0.2);
-  EXPECT_DOUBLE_EQ(controls.no_radio.free.precision, 1.0);
+  EXPECT_DOUBLE_EQ(ablations.no_radio.free.recall, 0.2);
+  EXPECT_DOUBLE_EQ(ablations.no_radio.free.precision, 1.0);
 }
 
-TEST(Controls, TheyAreTheFiguresOfAMapperThatHeardTheShiftedReadings) {
+TEST(Ablations, TheyAreTheMetricsOfAMapperWithTheShiftedReadings) {
   AccessPoint access_point;
   access_point.bssid = bssid("02:00:00:00:00:01");
   access_point.position = at(5.0, 5.0);
   const Config config;
   const std::vector<Reading> readings = twoRadios(true);
   EvaluationInput input = rooms();
-  const AblationMetrics controls = evaluateControls(input, readings, {access_point}, config);
+  const AblationMetrics ablations = evaluateAblations(input, readings, {access_point}, config);
   Mapper mapper(config, {access_point});
   for (const Reading& reading : withShiftedRadio(readings, 3)) {
     mapper.insert(reading);
   }
   setBelief(mapper.infer()->belief, input);
-  EXPECT_EQ(controls.shifted_radio[2].free.iou, evaluate(input).map.free.iou);
+  EXPECT_EQ(ablations.shifted_radio[2].free.iou, evaluate(input).map.free.iou);
 }
 
 }  // namespace

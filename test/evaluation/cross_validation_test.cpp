@@ -12,7 +12,7 @@
 namespace sfw {
 namespace {
 
-const std::atomic<bool> kGoOn{false};
+const std::atomic<bool> kNeverStop{false};
 
 /// A hall of 8 x 6 m driven in lanes 0.8 m apart; a wall at x = 4 of some loss, and access points
 /// on both sides of it.
@@ -46,60 +46,60 @@ struct Hall {
   std::vector<AccessPoint> access_points;
 };
 
-PredictionMetrics figuresOf(const Hall& hall) {
-  const auto figures = predictHiddenStretches(hall.readings, hall.access_points, {}, kGoOn);
-  EXPECT_TRUE(figures.has_value());
-  return figures.value_or(PredictionMetrics());
+PredictionMetrics metricsOf(const Hall& hall) {
+  const auto metrics = predictHiddenStretches(hall.readings, hall.access_points, {}, kNeverStop);
+  EXPECT_TRUE(metrics.has_value());
+  return metrics.value_or(PredictionMetrics());
 }
 
 TEST(Prediction, IsExactWhereOnlyDistanceMatters) {
-  const PredictionMetrics figures = figuresOf(Hall(0.0, 0.0));
-  EXPECT_GT(figures.bins, 500u);
-  EXPECT_LT(figures.distance, 0.2);
-  EXPECT_LT(figures.walls, 0.3);
-  EXPECT_LT(figures.distance_shadowed, 0.2);
+  const PredictionMetrics metrics = metricsOf(Hall(0.0, 0.0));
+  EXPECT_GT(metrics.bins, 500u);
+  EXPECT_LT(metrics.distance_db, 0.2);
+  EXPECT_LT(metrics.walls_db, 0.3);
+  EXPECT_LT(metrics.distance_shadowed_db, 0.2);
 }
 
 TEST(Prediction, LearnsOfAWallFromOtherStretches) {
-  const PredictionMetrics figures = figuresOf(Hall(9.0, 1.0));
-  EXPECT_GT(figures.distance, 2.0);
-  EXPECT_LT(figures.walls, 0.8 * figures.distance);
-  EXPECT_LT(figures.walls_shadowed, figures.distance);
+  const PredictionMetrics metrics = metricsOf(Hall(9.0, 1.0));
+  EXPECT_GT(metrics.distance_db, 2.0);
+  EXPECT_LT(metrics.walls_db, 0.8 * metrics.distance_db);
+  EXPECT_LT(metrics.walls_shadowed_db, metrics.distance_db);
 }
 
 TEST(Prediction, NoiseCannotBePredicted) {
-  const PredictionMetrics figures = figuresOf(Hall(0.0, 4.0));
-  EXPECT_GT(figures.distance, 2.0);  // two readings a bin
-  EXPECT_GT(figures.walls, figures.distance - 0.1);
-  EXPECT_LT(figures.walls, figures.distance + 0.4);
+  const PredictionMetrics metrics = metricsOf(Hall(0.0, 4.0));
+  EXPECT_GT(metrics.distance_db, 2.0);  // two readings a bin
+  EXPECT_GT(metrics.walls_db, metrics.distance_db - 0.1);
+  EXPECT_LT(metrics.walls_db, metrics.distance_db + 0.4);
 }
 
 TEST(Prediction, DoesNotDependOnTheOrderOfReadings) {
   Hall hall(9.0, 1.0);
-  const PredictionMetrics before = figuresOf(hall);
+  const PredictionMetrics before = metricsOf(hall);
   std::reverse(hall.readings.begin(), hall.readings.end());
-  EXPECT_EQ(figuresOf(hall).walls, before.walls);
+  EXPECT_EQ(metricsOf(hall).walls_db, before.walls_db);
 }
 
-TEST(Prediction, HasNothingToSayWithoutReadingsOfAnAccessPoint) {
+TEST(Prediction, HasNoResultWithoutReadingsOfAnAccessPoint) {
   const Hall hall(9.0, 1.0);
-  EXPECT_FALSE(predictHiddenStretches({}, hall.access_points, {}, kGoOn));
-  EXPECT_FALSE(predictHiddenStretches(hall.readings, {}, {}, kGoOn));
+  EXPECT_FALSE(predictHiddenStretches({}, hall.access_points, {}, kNeverStop));
+  EXPECT_FALSE(predictHiddenStretches(hall.readings, {}, {}, kNeverStop));
   AccessPoint unheard = hall.access_points.front();
   unheard.bssid = numberedBssid(9);
-  EXPECT_FALSE(predictHiddenStretches(hall.readings, {unheard}, {}, kGoOn));
+  EXPECT_FALSE(predictHiddenStretches(hall.readings, {unheard}, {}, kNeverStop));
 }
 
-TEST(Prediction, HasNothingToSayOfAShortDrive) {
+TEST(Prediction, HasNoResultOfAShortDrive) {
   Hall hall(9.0, 1.0);
   hall.readings.resize(40);  // 2 m: one stretch, nothing to predict it from
-  EXPECT_FALSE(predictHiddenStretches(hall.readings, hall.access_points, {}, kGoOn));
+  EXPECT_FALSE(predictHiddenStretches(hall.readings, hall.access_points, {}, kNeverStop));
 }
 
 TEST(Prediction, RefusesWhatIsFartherThanABuilding) {
   Hall hall(9.0, 1.0);
   hall.access_points.front().position = {1e6, 1e6};
-  EXPECT_FALSE(predictHiddenStretches(hall.readings, hall.access_points, {}, kGoOn));
+  EXPECT_FALSE(predictHiddenStretches(hall.readings, hall.access_points, {}, kNeverStop));
 }
 
 TEST(Prediction, Stops) {
@@ -116,11 +116,11 @@ TEST(Prediction, WallsHelpOnRealRecordings) {
     GTEST_SKIP() << test::kNoRecordings;
   }
   for (const test::RealRecording& recording : recordings) {
-    const auto figures =
-        predictHiddenStretches(recording.readings, recording.access_points, {}, kGoOn);
-    ASSERT_TRUE(figures) << recording.name;
-    EXPECT_GT(figures->distance - figures->walls, kLeastGain) << recording.name;
-    RecordProperty(recording.name, std::to_string(figures->distance - figures->walls));
+    const auto metrics =
+        predictHiddenStretches(recording.readings, recording.access_points, {}, kNeverStop);
+    ASSERT_TRUE(metrics) << recording.name;
+    EXPECT_GT(metrics->distance_db - metrics->walls_db, kLeastGain) << recording.name;
+    RecordProperty(recording.name, std::to_string(metrics->distance_db - metrics->walls_db));
   }
 }
 

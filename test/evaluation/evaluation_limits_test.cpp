@@ -28,7 +28,7 @@ TEST(EvaluateDegenerate, AnUnknownMapFindsNothing) {
   EXPECT_EQ(evaluation.map.wall_two_cells->recall, 0.0);
   EXPECT_EQ(evaluation.map.wall_two_cells->f1, 0.0);
   EXPECT_EQ(evaluation.map.wall_in_free, 0.0);
-  EXPECT_EQ(evaluation.map.leak, 0.0);
+  EXPECT_EQ(evaluation.map.walls_called_free, 0.0);
 }
 
 TEST(EvaluateDegenerate, AMapFarAwayFindsNothing) {
@@ -47,8 +47,8 @@ TEST(EvaluateDegenerate, WithoutWallsInTheTruthTheirRecallHasNoMeaning) {
   EXPECT_FALSE(evaluation.map.wall_one_cell->f1);
   EXPECT_FALSE(evaluation.map.wall_one_cell->observed_recall);
   EXPECT_EQ(evaluation.map.wall_in_free, 1.0);
-  EXPECT_FALSE(evaluation.map.leak);
-  EXPECT_FALSE(evaluation.map.observed_leak);
+  EXPECT_FALSE(evaluation.map.walls_called_free);
+  EXPECT_FALSE(evaluation.map.observed_walls_called_free);
 }
 
 TEST(EvaluateDegenerate, PositionsOffTheTruthDecideNothing) {

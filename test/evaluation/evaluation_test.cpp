@@ -23,7 +23,7 @@ using test::world;
 TEST(Evaluate, FreeCellsAgainstTheRegion) {
   const Evaluation evaluation = evaluate(rooms());
   EXPECT_NEAR(evaluation.free_m2, 25 * 0.0025, 1e-12);
-  const FreeFigures& free = evaluation.map.free;
+  const FreeMetrics& free = evaluation.map.free;
   EXPECT_DOUBLE_EQ(free.precision, 20.0 / 30.0);
   EXPECT_DOUBLE_EQ(free.tolerant_precision, 1.0);  // the wrong ones are 1 and 2 cells off
   EXPECT_DOUBLE_EQ(free.recall, 20.0 / 25.0);
@@ -35,14 +35,14 @@ TEST(Evaluate, FreeCellsAgainstTheRegion) {
 TEST(Evaluate, WallsWithinOneCell) {
   const Evaluation evaluation = evaluate(rooms());
   EXPECT_EQ(evaluation.wall_cells, 24U);
-  const WallFigures walls = evaluation.map.wall_one_cell.value();
+  const WallMetrics walls = evaluation.map.wall_one_cell.value();
   EXPECT_DOUBLE_EQ(walls.precision, 7.0 / 10.0);  // x = 0, and the ends of x = 8 next to the frame
   EXPECT_DOUBLE_EQ(walls.recall.value(), 7.0 / 24.0);  // x = 0 with its corners
   EXPECT_NEAR(walls.f1.value(), 2 * 0.7 * (7.0 / 24) / (0.7 + 7.0 / 24), 1e-12);
 }
 
 TEST(Evaluate, WallsWithinTwoCells) {
-  const WallFigures walls = evaluate(rooms()).map.wall_two_cells.value();
+  const WallMetrics walls = evaluate(rooms()).map.wall_two_cells.value();
   EXPECT_DOUBLE_EQ(walls.precision, 1.0);
   // Besides x = 0 with corners, the frame's cells beside them at x = 1, and x = 6 but its corners.
   EXPECT_DOUBLE_EQ(walls.recall.value(), 14.0 / 24.0);
@@ -56,14 +56,14 @@ TEST(Evaluate, ObservedWallsAreThoseOnRays) {
   EXPECT_EQ(evaluation.observed_wall_cells, 1U);
   EXPECT_EQ(evaluation.map.wall_one_cell->observed_recall, 0.0);
   EXPECT_EQ(evaluation.map.wall_two_cells->observed_recall, 1.0);
-  EXPECT_EQ(evaluation.map.observed_leak, 1.0);
-  EXPECT_DOUBLE_EQ(evaluation.map.leak.value(), 5.0 / 24.0);  // x = 6
+  EXPECT_EQ(evaluation.map.observed_walls_called_free, 1.0);
+  EXPECT_DOUBLE_EQ(evaluation.map.walls_called_free.value(), 5.0 / 24.0);  // x = 6
 }
 
 TEST(Evaluate, WithoutAccessPointsNothingIsObserved) {
   const Evaluation evaluation = evaluate(rooms());
   EXPECT_FALSE(evaluation.observed_wall_cells);
-  EXPECT_FALSE(evaluation.map.observed_leak);
+  EXPECT_FALSE(evaluation.map.observed_walls_called_free);
   EXPECT_FALSE(evaluation.map.wall_one_cell->observed_recall);
 }
 
@@ -91,20 +91,20 @@ TEST(Evaluate, PathOnlyIsThePathGrown) {
   const Evaluation evaluation = evaluate(rooms());
   EXPECT_DOUBLE_EQ(evaluation.path_only.free.precision, 25.0 / 40.0);
   EXPECT_DOUBLE_EQ(evaluation.path_only.free.recall, 1.0);
-  EXPECT_DOUBLE_EQ(evaluation.path_only.leak.value(), 10.0 / 24.0);  // x = 0 and x = 6
+  EXPECT_DOUBLE_EQ(evaluation.path_only.walls_called_free.value(), 10.0 / 24.0);  // x = 0 and x = 6
   EXPECT_FALSE(evaluation.path_only.wall_one_cell);
   EXPECT_FALSE(evaluation.path_only.wall_in_free);
   EXPECT_FALSE(evaluation.path_only.probability);
 }
 
-TEST(Evaluate, PathOnlyMapIsTheOneJudged) {
+TEST(Evaluate, PathOnlyMapIsTheOneScored) {
   EvaluationInput judged = rooms();
   const Evaluation evaluation = evaluate(judged);
   judged.map = pathOnlyMap(judged);
-  const MapMetrics figures = evaluate(judged).map;
-  EXPECT_EQ(figures.free.precision, evaluation.path_only.free.precision);
-  EXPECT_EQ(figures.free.iou, evaluation.path_only.free.iou);
-  EXPECT_EQ(figures.leak, evaluation.path_only.leak);
+  const MapMetrics metrics = evaluate(judged).map;
+  EXPECT_EQ(metrics.free.precision, evaluation.path_only.free.precision);
+  EXPECT_EQ(metrics.free.iou, evaluation.path_only.free.iou);
+  EXPECT_EQ(metrics.walls_called_free, evaluation.path_only.walls_called_free);
 }
 
 TEST(Evaluate, PathOnlyFillsALoop) {
@@ -128,7 +128,7 @@ TEST(Evaluate, BeyondStartsThirtyCentimetresFromThePath) {
   // The path is the cell (0, 1); from x = 6 on, all is farther away than 0.3 m.
   const Rows open(3, std::string(20, '.'));
   const Rows truth(3, std::string(18, '.') + "??");
-  const FreeFigures free = evaluate(input(open, truth, {at(0, 1)})).map.free;
+  const FreeMetrics free = evaluate(input(open, truth, {at(0, 1)})).map.free;
   EXPECT_NEAR(free.beyond_m2, 12 * 3 * 0.0025, 1e-12);
   EXPECT_DOUBLE_EQ(free.beyond_precision, 12.0 / 14.0);
 }
@@ -162,10 +162,10 @@ TEST(Evaluate, AMapThatEqualsTheTruthIsPerfectAtAnyResolution) {
   EXPECT_NEAR(evaluation.free_m2, 0.02, 1e-12);
   EXPECT_EQ(evaluation.map.free.iou, 1.0);
   EXPECT_EQ(evaluation.map.wall_one_cell->f1, 1.0);
-  EXPECT_EQ(evaluation.map.leak, 0.0);
+  EXPECT_EQ(evaluation.map.walls_called_free, 0.0);
 }
 
-TEST(Evaluate, MirroredInputHasTheSameFigures) {
+TEST(Evaluate, MirroredInputHasTheSameMetrics) {
   EvaluationInput plain = rooms();
   plain.access_points = {at(9, 1)};
   EvaluationInput mirrored = plain;
@@ -184,7 +184,7 @@ TEST(Evaluate, MirroredInputHasTheSameFigures) {
   EXPECT_EQ(a.map.free.iou, b.map.free.iou);
   EXPECT_EQ(a.map.wall_two_cells->f1, b.map.wall_two_cells->f1);
   EXPECT_EQ(a.observed_wall_cells, b.observed_wall_cells);
-  EXPECT_EQ(a.map.observed_leak, b.map.observed_leak);
+  EXPECT_EQ(a.map.observed_walls_called_free, b.map.observed_walls_called_free);
   EXPECT_EQ(a.path_only.free.iou, b.path_only.free.iou);
 }
 
@@ -197,20 +197,20 @@ Grid<float> probabilities(const std::vector<float>& row) {
 TEST(EvaluateProbabilities, CompareCellsThatTheMapKnows) {
   EvaluationInput rated = input({"?..#"}, {"...#"}, {at(0, 0)});
   rated.probabilities = probabilities({0.9F, 0.1F, 0.4F, 0.4F});
-  const ProbabilityFigures figures = evaluate(rated).map.probability.value();
-  EXPECT_EQ(figures.cells, 3U);
-  EXPECT_DOUBLE_EQ(figures.auc.value(), 0.75);  // one pair is right, one is a tie
-  EXPECT_NEAR(figures.brier.value(), (0.01 + 0.16 + 0.36) / 3, 1e-7);
-  EXPECT_NEAR(figures.log_loss.value(), -(std::log(0.9) + std::log(0.6) + std::log(0.4)) / 3, 1e-7);
+  const ProbabilityMetrics metrics = evaluate(rated).map.probability.value();
+  EXPECT_EQ(metrics.cells, 3U);
+  EXPECT_DOUBLE_EQ(metrics.auc.value(), 0.75);  // one pair is right, one is a tie
+  EXPECT_NEAR(metrics.brier.value(), (0.01 + 0.16 + 0.36) / 3, 1e-7);
+  EXPECT_NEAR(metrics.log_loss.value(), -(std::log(0.9) + std::log(0.6) + std::log(0.4)) / 3, 1e-7);
 }
 
 TEST(EvaluateProbabilities, BeingCertainAndWrongCostsABoundedLoss) {
   EvaluationInput rated = input({".#"}, {".#"}, {at(0, 0)});
   rated.probabilities = probabilities({1.0F, 0.0F});
-  const ProbabilityFigures figures = evaluate(rated).map.probability.value();
-  EXPECT_EQ(figures.auc, 0.0);
-  EXPECT_EQ(figures.brier, 1.0);
-  EXPECT_NEAR(figures.log_loss.value(), std::log(510.0), 1e-9);
+  const ProbabilityMetrics metrics = evaluate(rated).map.probability.value();
+  EXPECT_EQ(metrics.auc, 0.0);
+  EXPECT_EQ(metrics.brier, 1.0);
+  EXPECT_NEAR(metrics.log_loss.value(), std::log(510.0), 1e-9);
 }
 
 TEST(EvaluateProbabilities, OutsideTheUnitIntervalCountAsUndecided) {
@@ -219,14 +219,14 @@ TEST(EvaluateProbabilities, OutsideTheUnitIntervalCountAsUndecided) {
   EXPECT_DOUBLE_EQ(evaluate(rated).map.probability->brier.value(), 0.25);
 }
 
-TEST(EvaluateProbabilities, OfAnUnknownMapHaveNoFigures) {
+TEST(EvaluateProbabilities, OfAnUnknownMapHaveNoMetrics) {
   EvaluationInput rated = input({"??"}, {".#"}, {at(0, 0)});
   rated.probabilities = probabilities({0.1F, 0.9F});
-  const ProbabilityFigures figures = evaluate(rated).map.probability.value();
-  EXPECT_EQ(figures.cells, 0U);
-  EXPECT_FALSE(figures.auc);
-  EXPECT_FALSE(figures.brier);
-  EXPECT_FALSE(figures.log_loss);
+  const ProbabilityMetrics metrics = evaluate(rated).map.probability.value();
+  EXPECT_EQ(metrics.cells, 0U);
+  EXPECT_FALSE(metrics.auc);
+  EXPECT_FALSE(metrics.brier);
+  EXPECT_FALSE(metrics.log_loss);
 }
 
 }  // namespace

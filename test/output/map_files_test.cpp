@@ -209,7 +209,7 @@ TEST(Report, TakesNamesThatAreNoUtf8) {
   Snapshot snapshot = snapshotOf(kPicture);
   snapshot.access_points[0].access_point.name = "caf\xe9";
   const auto report = nlohmann::json::parse(reportJson(snapshot, Config()));
-  EXPECT_EQ(report["access_points"][0]["name"], "caf?");
+  EXPECT_EQ(report["access_points"][0]["name"], "caf\xef\xbf\xbd");
 }
 
 }  // namespace

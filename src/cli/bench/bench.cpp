@@ -14,7 +14,7 @@
 namespace sfw {
 namespace {
 
-/// What the command line says; the suite file has the rest.
+/// Options of the command line. The suite file gives the others.
 struct BenchOptions {
   std::string suite_file;
   std::vector<std::string> plans;
@@ -40,7 +40,7 @@ BenchSuite suiteOf(const BenchOptions& options) {
   if (!options.suite_file.empty()) {
     suite = readBenchSuite(options.suite_file);
   }
-  if (!options.plans.empty() || options.generate) {  // together they say which buildings
+  if (!options.plans.empty() || options.generate) {  // the two select the buildings together
     suite.plans = options.plans;
     suite.generate = options.generate.value_or(0);
   }
@@ -58,14 +58,14 @@ BenchSuite suiteOf(const BenchOptions& options) {
   return suite;
 }
 
-/// @throw InputError if a recording failed: the tables are not what was asked for.
+/// @throw InputError if a recording failed, since the tables lack it.
 void requireNoFailure(const BenchReport& report) {
   if (report.failures.empty()) {
     return;
   }
   std::string text = std::to_string(report.failures.size()) + " of " +
                      std::to_string(report.failures.size() + report.results.size()) +
-                     " recordings failed; the tables are without them:";
+                     " recordings failed, and the tables lack them:";
   for (const BenchFailure& failure : report.failures) {
     text += "\n" + toText(failure.job) + ": " + failure.reason;
   }

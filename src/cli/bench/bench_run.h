@@ -7,19 +7,19 @@
 
 namespace sfw {
 
-/// How to run a benchmark.
+/// Settings of a run of the benchmark.
 struct BenchRun {
   BenchSuite suite;
   std::string config_file;   ///< settings of the mapper; may be empty
   std::int64_t workers = 1;  ///< threads
-  std::string directory;     ///< where finished recordings are kept, and looked for
+  std::string directory;     ///< keeps finished recordings
 };
 
-/// Runs all recordings of the suite but those that the directory holds already, under the same
-/// plan, level, path, seed, access points, methods, settings and program. The report depends on the
-/// run only, not on its workers or on how often it was interrupted.
-/// @throw InputError for what makes the whole run senseless; std::system_error if results cannot be
-/// kept. What is wrong with one recording is a failure in the report.
+/// Runs the recordings of the suite and reuses those that the directory holds already: of the same
+/// plan, level, path, seed, access points, methods, settings and program. The report depends only
+/// on the run, not on its workers or interruptions.
+/// @throw InputError if the suite or the settings are unusable; std::system_error if results cannot
+/// be kept. The error of a single recording becomes a failure in the report.
 BenchReport runBench(const BenchRun& run);
 
 }  // namespace sfw

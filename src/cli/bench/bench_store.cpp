@@ -3,12 +3,10 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <set>
-#include <sstream>
 
 #include "files/atomic_file.h"
+#include "files/text.h"
 
 namespace sfw {
 namespace {
@@ -23,11 +21,6 @@ std::string bytesOf(const T* data, std::size_t count) {
 }
 
 }  // namespace
-
-std::string bytesOf(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
 
 std::uint64_t hashOf(const std::string& bytes, std::uint64_t seed) {
   constexpr std::uint64_t kPrime = 0x100000001b3ULL;
@@ -46,21 +39,7 @@ std::uint64_t hashOf(const FloorPlan& plan) {
   return hashOf(bytesOf(plan.cells.data(), plan.cells.size()), of_geometry);
 }
 
-std::uint64_t hashOfProgram() {
-  std::set<std::string> libraries;
-  std::ifstream maps("/proc/self/maps");
-  for (std::string line; std::getline(maps, line);) {
-    const std::size_t path = line.find('/');
-    if (path != std::string::npos && line.find("libstructure_from_wifi") != std::string::npos) {
-      libraries.insert(line.substr(path));
-    }
-  }
-  std::uint64_t hash = hashOf(bytesOf("/proc/self/exe"));
-  for (const std::string& library : libraries) {
-    hash = hashOf(bytesOf(library), hash);
-  }
-  return hash;
-}
+std::uint64_t hashOfProgram() { return hashOf(readFile("/proc/self/exe")); }
 
 BenchStore::BenchStore(const std::string& directory) : directory_(directory) {
   makeDirectories(directory);
@@ -79,7 +58,11 @@ std::string BenchStore::fileOf(const std::string& key) const {
 }
 
 std::optional<std::string> BenchStore::find(const std::string& key) const {
-  const nlohmann::json stored = nlohmann::json::parse(bytesOf(fileOf(key)), nullptr, false);
+  const std::string file = fileOf(key);
+  if (!fs::is_regular_file(file)) {
+    return std::nullopt;
+  }
+  const nlohmann::json stored = nlohmann::json::parse(readFile(file), nullptr, false);
   if (!stored.is_object() || !stored.contains("key") || stored["key"] != key ||
       !stored.contains("result") || !stored["result"].is_string()) {
     return std::nullopt;

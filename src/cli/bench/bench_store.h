@@ -8,24 +8,22 @@
 
 namespace sfw {
 
-/// The whole file; empty if it cannot be read.
-std::string bytesOf(const std::string& file);
-
-/// FNV-1a, 64 bit; `seed` continues an earlier one.
+/// The FNV-1a hash of 64 bits. `seed` continues an earlier hash.
 std::uint64_t hashOf(const std::string& bytes, std::uint64_t seed = 0xcbf29ce484222325ULL);
 
-/// Of a plan's cells and geometry, whatever file it came from.
+/// The hash of a plan's cells and geometry, independent of its file.
 std::uint64_t hashOf(const FloorPlan& plan);
 
-/// Of the running program and the core library: another build may come to other figures.
+/// The hash of the running program, which holds the whole mapper: another build may give other
+/// metrics.
 std::uint64_t hashOfProgram();
 
-/// Results that a benchmark has come to, one file each, so that an interrupted run can go on.
+/// Results of a benchmark, one file each, so that an interrupted run can resume.
 ///
-/// A result is found again only by a key of the very same text. Safe to use from several threads.
+/// Only a key of exactly the same text finds a result. Safe to use from several threads.
 class BenchStore {
  public:
-  /// Makes the directory, and removes what a killed run left half-written in it.
+  /// Makes the directory and removes incomplete files of a killed run.
   /// @throw std::system_error naming it
   explicit BenchStore(const std::string& directory);
 

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 constexpr char kKeys[] = "plans, generate, levels, paths, seeds, access_points, methods";
 
 /// Names in a suite file are relative to it.
-std::string beside(const std::string& suite_file, const std::string& name) {
+std::string relativeTo(const std::string& suite_file, const std::string& name) {
   return (fs::path(suite_file).parent_path() / name).lexically_normal().string();
 }
 
@@ -30,12 +30,12 @@ void readValue(const std::string& file, const std::string& key, const YAML::Node
   if (key == "plans") {
     suite.plans = value.as<Names>();
     for (std::string& plan : suite.plans) {
-      plan = beside(file, plan);
+      plan = relativeTo(file, plan);
     }
   } else if (key == "paths") {
     suite.paths = value.as<Names>();
     for (std::string& path : suite.paths) {
-      path = parseRouteKind(path) ? path : beside(file, path);
+      path = parseRouteKind(path) ? path : relativeTo(file, path);
     }
   } else if (key == "levels") {
     suite.levels = value.as<Names>();
@@ -48,7 +48,7 @@ void readValue(const std::string& file, const std::string& key, const YAML::Node
   } else if (key == "access_points") {
     suite.access_points = value.as<std::int64_t>();
   } else {
-    throw InputError(file + ": there is no '" + key + "'; there are: " + kKeys);
+    throw InputError(file + ": there is no key '" + key + "'; the keys are " + kKeys);
   }
 }
 
@@ -84,14 +84,14 @@ void requireUsable(const BenchSuite& suite) {
   }
   for (const std::string& plan : suite.plans) {
     if (!fs::exists(plan)) {
-      problems.add(plan + ": there is no such plan");
+      problems.add(plan + ": the plan does not exist");
     }
   }
   if (suite.levels.empty()) {
-    problems.add("levels must name one");
+    problems.add("levels must name at least one level");
   }
   if (suite.paths.empty()) {
-    problems.add("paths must name one");
+    problems.add("paths must name at least one path");
   }
   within("generate", suite.generate, 0.0, kMost);
   within("seeds", suite.seeds, 1.0, kMost);
@@ -106,14 +106,14 @@ BenchSuite readBenchSuite(const std::string& file) {
   try {
     const YAML::Node root = YAML::LoadFile(file);
     if (!root.IsMap()) {
-      throw InputError(file + ": must be a table with some of: " + kKeys);
+      throw InputError(file + ": a suite must be a map with some of the keys " + kKeys);
     }
     for (const auto& entry : root) {
       const auto key = entry.first.as<std::string>();
       try {
         readValue(file, key, entry.second, suite);
       } catch (const YAML::Exception&) {
-        throw InputError(file + ": " + key + " is of a wrong type");
+        throw InputError(file + ": " + key + " has the wrong type");
       }
     }
   } catch (const YAML::BadFile&) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "cli/evaluate/figures.h"
+#include "cli/evaluate/metrics.h"
 
 namespace sfw {
 namespace {
@@ -18,7 +18,7 @@ constexpr Column kColumns[] = {{"free_precision", "free P"},
                                {"wall_f1_2", "wall F1"},
                                {"observed_wall_recall_2", "observed wall recall"},
                                {"wall_in_free", "walls in free space"},
-                               {"leak", "leak"},
+                               {"walls_called_free", "walls called free"},
                                {"auc", "AUC"},
                                {"radio_auc", "radio AUC"},
                                {"radio_auc_off_path", "radio AUC off path"},
@@ -30,7 +30,7 @@ struct Row {
   std::string path;
   std::string level;
   std::string made_by;
-  std::vector<std::pair<std::string, Statistics>> figures;  // in order of first appearance
+  std::vector<std::pair<std::string, Statistics>> metrics;  // in order of first appearance
 };
 
 /// The element for which `is_wanted` holds; if there is none, a new one of `made()`.
@@ -40,13 +40,13 @@ T& findOrAdd(std::vector<T>& all, Predicate&& is_wanted, Make&& made) {
   return found != all.end() ? *found : all.emplace_back(made());
 }
 
-void addFigures(const Json& figures, Row& row) {
-  for (const auto& [key, value] : figures.items()) {
+void addMetrics(const Json& metrics, Row& row) {
+  for (const auto& [key, value] : metrics.items()) {
     const auto& name = key;
-    auto& figure = findOrAdd(
-        row.figures, [&](const auto& known) { return known.first == name; },
+    auto& metric = findOrAdd(
+        row.metrics, [&](const auto& known) { return known.first == name; },
         [&] { return std::make_pair(name, Statistics()); });
-    figure.second.add(value.is_number() ? std::optional(value.get<double>()) : std::nullopt);
+    metric.second.add(value.is_number() ? std::optional(value.get<double>()) : std::nullopt);
   }
 }
 
@@ -65,7 +65,7 @@ std::vector<Row> rowsOf(const std::vector<BenchResult>& results) {
           [&] {
             return Row{result.job.path, result.job.level, made_by, {}};
           });
-      addFigures(map.at("figures"), row);
+      addMetrics(map.at("metrics"), row);
     }
   }
   return rows;
@@ -83,9 +83,9 @@ std::vector<std::string> pathsOf(const std::vector<Row>& rows) {
 std::string line(const Row& row) {
   std::string text = "| " + row.level + " | " + row.made_by + " |";
   for (const Column& column : kColumns) {
-    const auto found = std::find_if(row.figures.begin(), row.figures.end(),
-                                    [&](const auto& figure) { return figure.first == column.key; });
-    text += " " + (found != row.figures.end() ? found->second : Statistics()).text() + " |";
+    const auto found = std::find_if(row.metrics.begin(), row.metrics.end(),
+                                    [&](const auto& metric) { return metric.first == column.key; });
+    text += " " + (found != row.metrics.end() ? found->second : Statistics()).text() + " |";
   }
   return text + "\n";
 }
@@ -96,8 +96,8 @@ Json toJson(const BenchJob& job) {
 
 Json toJson(const Row& row) {
   Json json{{"path", row.path}, {"noise", row.level}, {"made_by", row.made_by}};
-  for (const auto& [name, sample] : row.figures) {
-    json["figures"][name] = sample.count() == 0 ? Json()
+  for (const auto& [name, sample] : row.metrics) {
+    json["metrics"][name] = sample.count() == 0 ? Json()
                                                 : Json{{"mean", sample.mean()},
                                                        {"sd", sample.standardDeviation()},
                                                        {"count", sample.count()}};

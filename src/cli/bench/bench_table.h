@@ -8,29 +8,29 @@
 
 namespace sfw {
 
-/// What one recording of a benchmark came to: a list of {"made_by", "figures"}, one for each map.
+/// The result of one recording: a list of {"made_by", "metrics"}, one for each map.
 struct BenchResult {
   BenchJob job;
   nlohmann::json maps;
 };
 
-/// A recording that came to nothing, and why.
+/// A recording without a result, and the reason.
 struct BenchFailure {
   BenchJob job;
   std::string reason;
 };
 
-/// What a benchmark came to.
+/// All results of a benchmark.
 struct BenchReport {
   std::vector<BenchResult> results;
   std::vector<BenchFailure> failures;
 };
 
-/// One table for each path: mean and standard deviation over plans and seeds, a row for each level
-/// and kind of map.
+/// Formats one table for each path: mean and standard deviation over plans and seeds, with a row
+/// for each level and kind of map.
 std::string toMarkdown(const BenchReport& report);
 
-/// The same tables with every figure, then every recording by itself.
+/// Formats the same tables with every metric, and then every recording.
 std::string toJson(const BenchReport& report);
 
 }  // namespace sfw

@@ -6,8 +6,8 @@
 
 #include "cli/commands.h"
 #include "cli/evaluate/evaluation_text.h"
-#include "cli/evaluate/figures.h"
-#include "cli/evaluate/judged_map.h"
+#include "cli/evaluate/metrics.h"
+#include "cli/evaluate/scored_map.h"
 #include "cli/warnings.h"
 #include "evaluation/ablations.h"
 #include "evaluation/comparison_picture.h"
@@ -52,26 +52,26 @@ nlohmann::json toJson(const Evaluation& evaluation, const std::vector<ScoredMap>
     json["probability_cells"] = evaluation.map.probability->cells;
   }
   json["map"] = metricsJson(evaluation.map);
-  for (const ScoredMap& judged : beside) {
-    json["beside"][judged.title] = metricsJson(judged.figures);
+  for (const ScoredMap& scored : beside) {
+    json["beside"][scored.title] = metricsJson(scored.metrics);
   }
   json["path_only"] = metricsJson(evaluation.path_only);
   return json;
 }
 
-nlohmann::json toJson(const AblationMetrics& controls) {
-  nlohmann::json json{{"no_radio", metricsJson(controls.no_radio)},
+nlohmann::json toJson(const AblationMetrics& ablations) {
+  nlohmann::json json{{"no_radio", metricsJson(ablations.no_radio)},
                       {"shifted_radio", nlohmann::json::array()}};
-  for (const MapMetrics& figures : controls.shifted_radio) {
-    json["shifted_radio"].push_back(metricsJson(figures));
+  for (const MapMetrics& metrics : ablations.shifted_radio) {
+    json["shifted_radio"].push_back(metricsJson(metrics));
   }
   return json;
 }
 
-/// The controls, if asked for: they map the readings again.
-std::optional<AblationMetrics> controlsFor(const EvaluateOptions& options,
-                                           const EvaluationInput& input,
-                                           const std::vector<Reading>& readings) {
+/// The metrics of the ablations, if --ablations is given. They map the readings again.
+std::optional<AblationMetrics> ablationsFor(const EvaluateOptions& options,
+                                            const EvaluationInput& input,
+                                            const std::vector<Reading>& readings) {
   if (!options.ablations) {
     return std::nullopt;
   }
@@ -79,51 +79,53 @@ std::optional<AblationMetrics> controlsFor(const EvaluateOptions& options,
     throw InputError("--ablations needs --access-points: it maps the readings again");
   }
   const Config config = options.config.empty() ? Config() : readConfig(options.config).config;
-  return evaluateControls(input, readings, readAccessPoints(options.access_points).access_points,
-                          config);
+  return evaluateAblations(input, readings, readAccessPoints(options.access_points).access_points,
+                           config);
 }
 
-nlohmann::json toJson(const PredictionMetrics& figures) {
-  return {{"bins", figures.bins},
-          {"distance_db", figures.distance},
-          {"walls_db", figures.walls},
-          {"distance_shadowed_db", figures.distance_shadowed},
-          {"walls_shadowed_db", figures.walls_shadowed}};
+nlohmann::json toJson(const PredictionMetrics& metrics) {
+  return {{"bins", metrics.bins},
+          {"distance_db", metrics.distance_db},
+          {"walls_db", metrics.walls_db},
+          {"distance_shadowed_db", metrics.distance_shadowed_db},
+          {"walls_shadowed_db", metrics.walls_shadowed_db}};
 }
 
-/// How well hidden readings can be predicted, if asked for.
+/// The errors of predicted signals, if --prediction is given.
 std::optional<PredictionMetrics> predictionFor(const EvaluateOptions& options,
                                                const std::vector<Reading>& readings) {
   if (!options.prediction) {
     return std::nullopt;
   }
   if (options.access_points.empty()) {
-    throw InputError("--prediction needs --access-points: signals are predicted from them");
+    throw InputError("--prediction needs --access-points: their positions predict the signals");
   }
   const std::atomic<bool> stop{false};
-  const auto figures = predictHiddenStretches(
+  const auto metrics = predictHiddenStretches(
       readings, readAccessPoints(options.access_points).access_points, {}, stop);
-  if (!figures) {
-    throw InputError(options.readings + ": too short a drive for --prediction, or too far");
+  if (!metrics) {
+    throw InputError(options.readings +
+                     ": --prediction needs a longer drive, and all positions within a building; "
+                     "leave the option out");
   }
-  return figures;
+  return metrics;
 }
 
-/// Where the access points stand that the readings speak of: rays lead to no others.
-std::vector<Position> heardAccessPoints(const EvaluateOptions& options,
-                                        const std::vector<Reading>& readings) {
-  std::set<Bssid> heard;
+/// Positions of the access points in the readings. Only they have rays.
+std::vector<Position> accessPointsWithReadings(const EvaluateOptions& options,
+                                               const std::vector<Reading>& readings) {
+  std::set<Bssid> in_readings;
   for (const Reading& reading : readings) {
-    heard.insert(reading.bssid);
+    in_readings.insert(reading.bssid);
   }
   std::vector<Position> positions;
   for (const AccessPoint& access_point : readAccessPoints(options.access_points).access_points) {
-    if (heard.count(access_point.bssid) != 0 && access_point.position_known) {
+    if (in_readings.count(access_point.bssid) != 0 && access_point.position_known) {
       positions.push_back(access_point.position);
     }
   }
   if (positions.empty()) {
-    throw InputError(options.access_points + ": none of its access points is heard in " +
+    throw InputError(options.access_points + ": no access point with a position has a reading in " +
                      options.readings);
   }
   return positions;
@@ -144,33 +146,32 @@ void writePictures(const EvaluateOptions& options, const EvaluationInput& input,
 void run(const EvaluateOptions& options) {
   const std::vector<Reading> readings = readWithWarnings(options.readings).readings;
   EvaluationInput input{readMap(options.map), readMap(options.truth), {}, {}, {}};
-  readBeside(options.map, options.probability, input);
+  readProbabilityAndWallLoss(options.map, options.probability, input);
   if (!input.map.geometry.box().intersects(input.truth.geometry.box())) {
-    warn(options.map + " and " + options.truth +
-         " lie nowhere at the same place: are the two in the same frame?");
+    warn(options.map + " and " + options.truth + " do not overlap: are the two in the same frame?");
   }
   for (const Reading& reading : readings) {
     input.path.push_back(reading.antenna_in_map);
   }
   if (!options.access_points.empty()) {
-    input.access_points = heardAccessPoints(options, readings);
+    input.access_points = accessPointsWithReadings(options, readings);
   }
   const Evaluation evaluation = evaluate(input);
   std::vector<ScoredMap> beside;
   for (const std::string& title_and_file : options.beside) {
-    ScoredMap judged = judgeMap(title_and_file, input);
+    ScoredMap scored = scoreMap(title_and_file, input);
     if (std::any_of(beside.begin(), beside.end(),
-                    [&](const ScoredMap& other) { return other.title == judged.title; })) {
-      throw InputError("--beside has the title '" + judged.title + "' twice");
+                    [&](const ScoredMap& other) { return other.title == scored.title; })) {
+      throw InputError("--beside has the title '" + scored.title + "' twice");
     }
-    beside.push_back(std::move(judged));
+    beside.push_back(std::move(scored));
   }
-  const std::optional<AblationMetrics> controls = controlsFor(options, input, readings);
+  const std::optional<AblationMetrics> ablations = ablationsFor(options, input, readings);
   const std::optional<PredictionMetrics> prediction = predictionFor(options, readings);
   if (options.json) {
     nlohmann::json json = toJson(evaluation, beside);
-    if (controls) {
-      json["ablations"] = toJson(*controls);
+    if (ablations) {
+      json["ablations"] = toJson(*ablations);
     }
     if (prediction) {
       json["prediction"] = toJson(*prediction);
@@ -178,15 +179,16 @@ void run(const EvaluateOptions& options) {
     std::cout << json.dump(2) << std::endl;
   } else {
     printTable(std::cout, evaluation, beside);
-    if (controls) {
-      printControls(std::cout, evaluation.map, *controls);
+    if (ablations) {
+      printAblations(std::cout, evaluation.map, *ablations);
     }
     if (prediction) {
       printPrediction(std::cout, *prediction);
     }
     std::cout << std::flush;
   }
-  writePictures(options, input, evaluation, beside);  // last: figures are there if it fails
+  writePictures(options, input, evaluation,
+                beside);  // last: the metrics are printed even if it fails
 }
 
 }  // namespace
@@ -209,7 +211,7 @@ void runEvaluate(Options& options) {
   options.addFlag("ablations", evaluate.ablations,
                   "also map without radio, and with the signals shifted along the path by 1/9 .. "
                   "8/9 of the run; the difference to these maps is the radio's contribution");
-  options.addFormerName("controls", "ablations");
+  options.addFormerName("ablations", "ablations");
   options.addFlag("prediction", evaluate.prediction,
                   "hide stretches of 3 m of the readings and predict them from the others, by "
                   "distance alone and with walls; the gain from walls is the radio's knowledge");

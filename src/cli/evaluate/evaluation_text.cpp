@@ -5,7 +5,7 @@
 #include <map>
 #include <optional>
 
-#include "cli/evaluate/figures.h"
+#include "cli/evaluate/metrics.h"
 
 namespace sfw {
 namespace {
@@ -21,15 +21,15 @@ void printValue(std::ostream& out, std::optional<double> value, int width = kWid
   }
 }
 
-/// A column of the table: the figures of one map.
+/// A column of the table: the metrics of one map.
 struct Column {
   std::string title;
   int width = kWidth;
   std::vector<std::optional<double>> values;
 
-  Column(const std::string& of, const MapMetrics& figures)
+  Column(const std::string& of, const MapMetrics& metrics)
       : title(of), width(std::max(kWidth, static_cast<int>(of.size()) + 2)) {
-    forEachMetric(figures, [&](const char*, const char*, std::optional<double> value) {
+    forEachMetric(metrics, [&](const char*, const char*, std::optional<double> value) {
       values.push_back(value);
     });
   }
@@ -45,11 +45,11 @@ void printTable(std::ostream& out, const Evaluation& evaluation,
     out << ", " << *evaluation.observed_wall_cells << " of them observed";
   }
   std::vector<Column> columns{{"map", evaluation.map}};
-  for (const ScoredMap& judged : beside) {
-    columns.emplace_back(judged.title, judged.figures);
+  for (const ScoredMap& scored : beside) {
+    columns.emplace_back(scored.title, scored.metrics);
   }
   columns.emplace_back("path only", evaluation.path_only);
-  out << "\n\n" << std::left << std::setw(kTextWidth) << "figure" << std::right;
+  out << "\n\n" << std::left << std::setw(kTextWidth) << "metric" << std::right;
   for (const Column& column : columns) {
     out << std::setw(column.width) << column.title;
   }
@@ -65,19 +65,19 @@ void printTable(std::ostream& out, const Evaluation& evaluation,
   });
 }
 
-void printControls(std::ostream& out, const MapMetrics& map, const AblationMetrics& controls) {
+void printAblations(std::ostream& out, const MapMetrics& map, const AblationMetrics& ablations) {
   std::map<std::string, Statistics> shifted;
-  for (const MapMetrics& one : controls.shifted_radio) {
+  for (const MapMetrics& one : ablations.shifted_radio) {
     forEachMetric(one, [&](const char* key, const char*, std::optional<double> value) {
       shifted[key].add(value);
     });
   }
   std::map<std::string, std::optional<double>> silent;
-  forEachMetric(controls.no_radio, [&](const char* key, const char*, std::optional<double> value) {
+  forEachMetric(ablations.no_radio, [&](const char* key, const char*, std::optional<double> value) {
     silent[key] = value;
   });
   out << "\n"
-      << std::left << std::setw(kTextWidth) << "controls" << std::right << std::setw(kWidth)
+      << std::left << std::setw(kTextWidth) << "ablations" << std::right << std::setw(kWidth)
       << "map" << std::setw(kWidth) << "no radio"
       << "   shifted radio\n";
   forEachMetric(map, [&](const char* key, const char* text, std::optional<double> value) {
@@ -88,7 +88,7 @@ void printControls(std::ostream& out, const MapMetrics& map, const AblationMetri
   });
 }
 
-void printPrediction(std::ostream& out, const PredictionMetrics& figures) {
+void printPrediction(std::ostream& out, const PredictionMetrics& metrics) {
   const auto print = [&](const char* text, double mean, double shadowed) {
     out << std::left << std::setw(kTextWidth) << text << std::right;
     printValue(out, mean);
@@ -98,8 +98,8 @@ void printPrediction(std::ostream& out, const PredictionMetrics& figures) {
   out << "\n"
       << std::left << std::setw(kTextWidth) << "prediction of hidden stretches, rms error [dB]"
       << std::right << std::setw(kWidth) << "alone" << std::setw(kWidth) << "+ nearest" << '\n';
-  print("distance", figures.distance, figures.distance_shadowed);
-  print("distance and walls", figures.walls, figures.walls_shadowed);
+  print("distance", metrics.distance_db, metrics.distance_shadowed_db);
+  print("distance and walls", metrics.walls_db, metrics.walls_shadowed_db);
 }
 
 }  // namespace sfw

@@ -3,20 +3,21 @@
 #include <ostream>
 #include <vector>
 
-#include "cli/evaluate/judged_map.h"
+#include "cli/evaluate/scored_map.h"
 #include "evaluation/ablations.h"
 #include "evaluation/cross_validation.h"
 #include "evaluation/evaluation.h"
 
 namespace sfw {
 
-/// The figures of a map, of those beside it and of the path alone, a column each.
+/// Prints a column of metrics for the map, for each map beside it and for the path alone.
 void printTable(std::ostream& out, const Evaluation& evaluation,
                 const std::vector<ScoredMap>& beside);
 
-/// The figures of a map beside those of its controls.
-void printControls(std::ostream& out, const MapMetrics& map, const AblationMetrics& controls);
+/// Prints the metrics of a map beside those of its ablations.
+void printAblations(std::ostream& out, const MapMetrics& map, const AblationMetrics& ablations);
 
-void printPrediction(std::ostream& out, const PredictionMetrics& figures);
+/// Prints the errors of predicted signals [dB].
+void printPrediction(std::ostream& out, const PredictionMetrics& metrics);
 
 }  // namespace sfw

@@ -11,13 +11,13 @@
 
 namespace sfw {
 
-/// A figure of a group that may be absent as a whole.
+/// A metric of a group; absent if the group is.
 template <class Group, class Value>
 std::optional<double> within(const std::optional<Group>& group, Value Group::*value) {
   return group ? std::optional<double>((*group).*value) : std::nullopt;
 }
 
-/// Calls `visit(key, text, value)` for each figure, in the order of the table.
+/// Calls `visit(key, text, value)` for each metric, in the order of the table.
 template <class Visitor>
 void forEachMetric(const MapMetrics& m, Visitor&& visit) {
   visit("free_precision", "free: precision", m.free.precision);
@@ -27,46 +27,46 @@ void forEachMetric(const MapMetrics& m, Visitor&& visit) {
   visit("beyond_m2", "free beyond 0.3 m of the path: area found [m2]", m.free.beyond_m2);
   visit("beyond_precision", "free beyond 0.3 m of the path: precision", m.free.beyond_precision);
   visit("wall_precision_1", "wall within 0.05 m: precision",
-        within(m.wall_one_cell, &WallFigures::precision));
+        within(m.wall_one_cell, &WallMetrics::precision));
   visit("wall_recall_1", "wall within 0.05 m: recall",
-        within(m.wall_one_cell, &WallFigures::recall));
-  visit("wall_f1_1", "wall within 0.05 m: F1", within(m.wall_one_cell, &WallFigures::f1));
+        within(m.wall_one_cell, &WallMetrics::recall));
+  visit("wall_f1_1", "wall within 0.05 m: F1", within(m.wall_one_cell, &WallMetrics::f1));
   visit("observed_wall_recall_1", "wall within 0.05 m: recall, observed",
-        within(m.wall_one_cell, &WallFigures::observed_recall));
+        within(m.wall_one_cell, &WallMetrics::observed_recall));
   visit("wall_precision_2", "wall within 0.1 m: precision",
-        within(m.wall_two_cells, &WallFigures::precision));
+        within(m.wall_two_cells, &WallMetrics::precision));
   visit("wall_recall_2", "wall within 0.1 m: recall",
-        within(m.wall_two_cells, &WallFigures::recall));
-  visit("wall_f1_2", "wall within 0.1 m: F1", within(m.wall_two_cells, &WallFigures::f1));
+        within(m.wall_two_cells, &WallMetrics::recall));
+  visit("wall_f1_2", "wall within 0.1 m: F1", within(m.wall_two_cells, &WallMetrics::f1));
   visit("observed_wall_recall_2", "wall within 0.1 m: recall, observed",
-        within(m.wall_two_cells, &WallFigures::observed_recall));
+        within(m.wall_two_cells, &WallMetrics::observed_recall));
   visit("wall_in_free", "wall cells that lie in free space", m.wall_in_free);
-  visit("leak", "leak: observed walls called free", m.observed_leak);
-  visit("leak_all_walls", "leak: all walls called free", m.leak);
+  visit("walls_called_free", "observed walls called free", m.observed_walls_called_free);
+  visit("all_walls_called_free", "all walls called free", m.walls_called_free);
   visit("auc", "probability: area under the curve",
-        within(m.probability, &ProbabilityFigures::auc));
-  visit("brier", "probability: Brier score", within(m.probability, &ProbabilityFigures::brier));
+        within(m.probability, &ProbabilityMetrics::auc));
+  visit("brier", "probability: Brier score", within(m.probability, &ProbabilityMetrics::brier));
   visit("log_loss", "probability: log-loss [nat]",
-        within(m.probability, &ProbabilityFigures::log_loss));
+        within(m.probability, &ProbabilityMetrics::log_loss));
   visit("radio_auc", "wall loss by radio alone: area under the curve",
-        within(m.radio, &RadioFigures::auc));
-  visit("radio_auc_off_path", "wall loss beyond 0.3 m of the path: the same",
-        within(m.radio, &RadioFigures::auc_off_path));
+        within(m.radio, &RadioMetrics::auc));
+  visit("radio_auc_off_path", "wall loss beyond 0.3 m of the path: area under the curve",
+        within(m.radio, &RadioMetrics::auc_off_path));
   visit("radio_wall_f1_2", "walls by radio alone: F1 within 0.1 m",
-        within(m.radio, &RadioFigures::wall_f1_two_cells));
+        within(m.radio, &RadioMetrics::wall_f1_two_cells));
   visit("radio_wall_f1_4", "walls by radio alone: F1 within 0.2 m",
-        within(m.radio, &RadioFigures::wall_f1_four_cells));
+        within(m.radio, &RadioMetrics::wall_f1_four_cells));
 }
 
-inline nlohmann::json metricsJson(const MapMetrics& figures) {
+inline nlohmann::json metricsJson(const MapMetrics& metrics) {
   nlohmann::json json;
-  forEachMetric(figures, [&](const char* key, const char*, std::optional<double> value) {
+  forEachMetric(metrics, [&](const char* key, const char*, std::optional<double> value) {
     json[key] = value ? nlohmann::json(*value) : nlohmann::json();
   });
   return json;
 }
 
-/// Mean and spread of what was measured; absent figures do not count.
+/// Mean and standard deviation of a metric. Absent values do not count.
 class Statistics {
  public:
   void add(std::optional<double> value) {
