@@ -15,11 +15,11 @@ namespace sfw {
 /// A table of access points, with warnings for its author.
 struct AccessPointReading {
   std::vector<AccessPoint> access_points;  ///< in the order of the table
-  std::vector<std::string> warnings;       ///< keys that nobody reads
+  std::vector<std::string> warnings;       ///< unknown keys
 };
 
 /// Reads `[{bssid, x?, y?, z?, name?, tx_dbm?}]`.
-/// @throw InputError if the table is missing or empty, or naming every unusable or double entry.
+/// @throw InputError if the table is missing or empty, or naming every unusable or repeated entry.
 SFW_EXPORT AccessPointReading accessPointsFromYaml(const YAML::Node& table);
 
 /// As accessPointsFromYaml, from a file whose key `access_points` holds the table.

@@ -13,21 +13,21 @@ class OcTree;
 
 namespace sfw {
 
-/// The map as voxels: occupied cells from the floor to octomap/wall_height, free cells from the
-/// floor to octomap/robot_height, nothing where the map is unknown.
+/// Extrudes a map into voxels: occupied cells from the floor to octomap/wall_height, free cells
+/// from the floor to octomap/robot_height, nothing where the map is unknown.
 ///
 /// Each voxel keeps its cell's probability. The tree is pruned; its resolution is the map's, whose
 /// origin lies on OctoMap's lattice by construction (GridGeometry::covering).
-/// @throw std::invalid_argument unless octomapReaches the map, and as high as the settings want.
-/// O(known cells x height).
+/// @throw std::invalid_argument unless octomapReaches the map, or if a height of the settings is
+/// too large for OctoMap. O(known cells x height).
 SFW_EXPORT std::unique_ptr<octomap::OcTree> toOctomap(const BeliefMap& belief,
                                                       const Config::Octomap& config);
 
-/// The tree as a .bt file holds it (occupied, free, unknown) and as an .ot file does (log-odds).
+/// Encodes the tree as a .bt file (occupied, free, unknown) or as an .ot file (log-odds).
 SFW_EXPORT std::string encodeBinaryFile(const octomap::OcTree& tree);
 SFW_EXPORT std::string encodeFullFile(const octomap::OcTree& tree);
 
-/// The same without the file's header, as octomap_msgs/Octomap carries it.
+/// Encodes the tree without the header of a file, as octomap_msgs/Octomap carries it.
 SFW_EXPORT std::string encodeBinaryMessage(const octomap::OcTree& tree);
 SFW_EXPORT std::string encodeFullMessage(const octomap::OcTree& tree);
 

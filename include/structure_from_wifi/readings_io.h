@@ -13,26 +13,25 @@ namespace sfw {
 /// Rows of a file that were skipped for one reason.
 struct SkippedRows {
   std::size_t count = 0;  ///< number of rows
-  std::string first;      ///< where and what the first one was: "line 7: rssi_dbm 'abc'"
+  std::string first;      ///< line and content of the first one: "line 7: rssi_dbm 'abc'"
 };
 
-/// The readings of a file and what was left out.
+/// The readings of a file, and the rows that were skipped.
 struct ReadingFile {
   std::vector<Reading> readings;               ///< in the order of the file
   std::map<std::string, SkippedRows> skipped;  ///< by reason
 };
 
 /// Reads a CSV with the columns stamp, x, y, bssid, rssi_dbm in any order (seconds, metres, dBm;
-/// map frame); other columns are left unread.
-/// @throw InputError naming the file if it cannot be read, lacks a column (named) or has no row
-/// that can be used.
+/// map frame). Other columns are ignored.
+/// @throw InputError naming the file if it cannot be read, lacks a column or has no usable row.
 SFW_EXPORT ReadingFile readReadings(const std::string& file);
 
-/// Reads a CSV of places where the robot touched something, with the columns stamp, x, y.
-/// @throw InputError as readReadings, naming the line of any row that cannot be used.
+/// Reads a CSV of contacts of the robot with obstacles, with the columns stamp, x, y.
+/// @throw InputError as readReadings, naming the line of the first unusable row.
 SFW_EXPORT std::vector<Contact> readContacts(const std::string& file);
 
-/// Reads a CSV of way points with the columns x, y (metres, map frame), in the order to be driven.
+/// Reads a CSV of way points with the columns x, y (metres, map frame), in driving order.
 /// @throw InputError as readContacts.
 SFW_EXPORT std::vector<Position> readWayPoints(const std::string& file);
 

@@ -5,7 +5,7 @@
 
 namespace sfw {
 
-/// Names of plans with each directory replaced by the HouseExpo and map_server files in it, sorted.
+/// Replaces each directory by the HouseExpo and map_server files in it, sorted by name.
 std::vector<std::string> floorPlanFiles(const std::vector<std::string>& names);
 
 }  // namespace sfw

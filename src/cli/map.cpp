@@ -53,7 +53,7 @@ Mapper mapperFor(const std::string& access_points, const Config& config) {
   for (const std::string& warning : table.warnings) {
     warn(access_points + ": " + warning);
   }
-  configuredBeliefModel(config.belief);  // a complaint is about its file, not about the table
+  configuredBeliefModel(config.belief);  // an error names its file, not the table
   try {
     return Mapper(config, table.access_points);
   } catch (const InputError& error) {
@@ -92,17 +92,17 @@ void reportRejections(const std::string& source, const Rejections& rejections) {
   }
 }
 
-/// Tells of an access point that the table has no position of.
+/// Reports an access point whose position the table does not give.
 void reportAccessPoint(const std::string& table, const AccessPointSummary& summary) {
   const std::string name = table + ": " + summary.access_point.bssid.str();
-  if (!hasPosition(summary) && summary.readings > 0) {  // silent ones are told by mapNotes
+  if (!hasPosition(summary) && summary.readings > 0) {  // mapNotes reports those without readings
     warn(name + " is left out: it has no position, and its " + std::to_string(summary.readings) +
-         " readings do not tell one");
+         " readings do not suffice to estimate one");
   } else if (summary.estimate) {
-    const Position& place = summary.access_point.position;
+    const Position& position = summary.access_point.position;
     std::ostringstream text;
-    text << std::fixed << std::setprecision(1) << name << " is reckoned to stand at (" << place.x()
-         << ", " << place.y() << "), give or take "
+    text << std::fixed << std::setprecision(1) << name << " is estimated at (" << position.x()
+         << ", " << position.y() << "), standard deviation "
          << std::sqrt(summary.estimate->covariance.diagonal().maxCoeff()) << " m";
     std::cerr << "sfw: " << text.str() << '\n';
   }
@@ -132,10 +132,10 @@ void run(const MapOptions& options) {
   }
   reportRejections(source, mapper.rejections());
   const std::shared_ptr<const Snapshot> snapshot = mapper.infer();
-  const auto& heard = snapshot->access_points;
-  if (std::all_of(heard.begin(), heard.end(), [](const auto& ap) { return ap.readings == 0; })) {
+  const auto& found = snapshot->access_points;
+  if (std::all_of(found.begin(), found.end(), [](const auto& ap) { return ap.readings == 0; })) {
     throw InputError(source + ": no reading of an access point in " + options.access_points +
-                     " can be used; see the warnings above");
+                     " can be used; the warnings above give the reasons");
   }
   const DataFindings findings = DataChecker().checkAll(*snapshot);
   for (const AccessPointSummary& summary : snapshot->access_points) {

@@ -5,13 +5,13 @@
 
 namespace sfw {
 
-/// On standard error, a bar with the time that is left if that is a terminal, else a line for each
-/// tenth.
+/// Shows progress on standard error: a bar with the remaining time on a terminal, otherwise a line
+/// for each tenth.
 class Progress {
  public:
   explicit Progress(std::size_t all);
 
-  /// One more is done; `at_once` if it took no time, being there already.
+  /// Counts one more as done. `at_once`: its result existed already and took no time.
   void add(bool at_once = false);
 
  private:

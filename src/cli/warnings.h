@@ -7,10 +7,10 @@
 
 namespace sfw {
 
-/// Tells the user, on standard error, of something that does not stop the work.
+/// Prints a warning on standard error.
 void warn(const std::string& text);
 
-/// Reads a file of readings; warns of the rows that are skipped, once for each reason.
+/// Reads a file of readings and warns of skipped rows, once for each reason.
 /// @throw InputError as readReadings
 ReadingFile readWithWarnings(const std::string& file);
 

@@ -61,7 +61,7 @@ Mask regionOf(const Mask& free, const std::vector<Position>& path) {
   const auto most = std::max_element(positions_on.begin(), positions_on.end());
   if (*most == 0) {
     throw InputError(
-        "the path never touches the free space of the truth: are the two in the "
+        "no position of the path lies in free space of the truth: are the two in the "
         "same frame?");
   }
   Mask region(free.geometry);

@@ -52,7 +52,7 @@ AccessPoint readAccessPoint(const YAML::Node& entry, const std::string& where,
                             std::vector<std::string>& warnings) {
   AccessPoint access_point;
   if (!entry.IsMap()) {
-    problems.push_back(where + ": must be a map with bssid and, if they are known, x and y");
+    problems.push_back(where + ": must be a map with bssid and, if known, x and y");
     return access_point;
   }
   warnOfUnknownKeys(entry, where, warnings);
@@ -92,7 +92,7 @@ AccessPointReading accessPointsFromYaml(const YAML::Node& table) {
     const std::size_t before = problems.size();
     const AccessPoint access_point = readAccessPoint(table[i], where, problems, reading.warnings);
     if (problems.size() == before && !seen.insert(access_point.bssid).second) {
-      problems.push_back(where + ": " + access_point.bssid.str() + " stands in the list twice");
+      problems.push_back(where + ": " + access_point.bssid.str() + " is in the list twice");
     }
     reading.access_points.push_back(access_point);
   }

@@ -12,16 +12,17 @@
 
 namespace sfw {
 
-/// A colour of the legend and what it stands for.
+/// A colour of the legend with its meaning.
 struct LegendEntry {
   Colour colour;
   std::string text;
-  bool is_dot = false;  ///< drawn as one, not as an area
+  bool is_dot = false;  ///< drawn as a dot, not as an area
 };
 
-/// A picture of a part of the map frame: metres in, pixels out, x to the right and y up.
-/// Below the map it keeps room for a legend and a scale bar. It may hold several panels of the same
-/// part side by side, each with a title above it.
+/// Draws a picture of an area of the map frame: metres in, pixels out, x to the right and y up.
+///
+/// A legend and a scale bar lie below the area. Several panels of the same area may lie side by
+/// side, each with a title above it.
 class Canvas {
  public:
   static constexpr Colour kFree{1.0, 1.0, 1.0};
@@ -29,16 +30,16 @@ class Canvas {
   static constexpr Colour kUnknown{0.80, 0.81, 0.83};
   static constexpr Colour kAccessPoint{0.55, 0.10, 0.65};
 
-  /// @param area what is shown [m], not empty
+  /// @param area shown area [m], not empty
   explicit Canvas(const Box& area);
 
-  /// So many panels, each of which shows the area and what lies beside it, as far as there is room.
+  /// @param panels  number of panels; each shows the area, and its surroundings as far as they fit
   Canvas(const Box& area, int panels);
 
-  /// Writes above a panel of several, counted from 0, and lets what is drawn next lie in it.
+  /// Begins a panel, counted from 0, and writes its title and note. Later calls draw into it.
   void beginPanel(int panel, const std::string& title, const std::string& note);
 
-  /// What is drawn next lies in no panel.
+  /// Ends the panel. Later calls draw outside of panels.
   void endPanel();
 
   /// Fills the cells for which `chosen(Cell)` holds.
@@ -47,10 +48,10 @@ class Canvas {
 
   void drawDot(const Position& at, const Colour& colour);
 
-  /// A marked access point with its name beside it; an empty name is left out.
+  /// Draws an access point with its name beside it, if the name is not empty.
   void drawAccessPoint(const Position& at, const std::string& name);
 
-  /// Caption and entries on the left, scale bar on the right, below the map. Below panels there is
+  /// Draws caption and entries on the left, and the scale bar on the right. Below panels there is
   /// room for one row of entries, and none for a caption.
   void drawFooter(const std::string& caption, const std::vector<LegendEntry>& legend);
 

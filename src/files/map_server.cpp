@@ -15,7 +15,7 @@
 namespace sfw {
 namespace {
 
-/// Everything that a map's YAML and image say.
+/// The content of the YAML and the image of a map.
 struct MapFile {
   GridGeometry geometry;
   GreyImage image;
@@ -31,7 +31,7 @@ struct MapFile {
   }
 };
 
-/// @return `absent` if the key is missing; what it holds is never left out silently.
+/// @return the value of the key; `absent` only if the key is missing
 double numberOr(const YAML::Node& yaml, const char* key, double absent) {
   return yaml[key] ? yaml[key].as<double>() : absent;
 }

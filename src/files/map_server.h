@@ -8,12 +8,13 @@ namespace sfw {
 
 /// Reads a map as map_server writes it: YAML beside a PGM (P2 or P5, 8 bit).
 ///
-/// Pixels become states by the file's own negate, occupied_thresh and free_thresh.
+/// The keys negate, occupied_thresh and free_thresh of the file turn pixels into states.
 /// @throw InputError naming the file if it cannot be read, is cut short, is rotated (yaw other
-/// than 0), is of another image type or mode (`raw`), or holds a value that makes no sense.
+/// than 0), has another image type or mode (`raw`), or holds an invalid value.
 Grid<CellState> readMap(const std::string& yaml_file);
 
-/// As readMap, but each pixel's probability of being occupied in [0, 1].
+/// Reads the probability of being occupied of each pixel, in [0, 1].
+/// @throw InputError as readMap
 Grid<float> readProbabilities(const std::string& yaml_file);
 
 /// Reads losses of signals [dB] as wallLossPgm and wallLossYaml write them: a pixel's value times

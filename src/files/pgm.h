@@ -15,11 +15,11 @@ struct GreyImage {
   std::vector<std::uint8_t> pixels;
 };
 
-/// Reads a PGM (P2 or P5, 8 bit), its values stretched to 0..255.
-/// @throw InputError naming the file if it cannot be read, is cut short or is something else.
+/// Reads a PGM (P2 or P5, 8 bit) and scales its values to 0..255.
+/// @throw InputError naming the file if it cannot be read, is cut short or has another format.
 GreyImage readPgm(const std::string& file);
 
-/// An 8-bit PGM (P5) of `pixel(Cell)`.
+/// Encodes `pixel(Cell)` as an 8-bit PGM (P5).
 template <class Pixel>
 std::string encodePgm(const GridGeometry& geometry, Pixel&& pixel) {
   std::string bytes = "P5\n" + std::to_string(geometry.width()) + " " +

@@ -75,7 +75,7 @@ class Table {
   std::vector<std::string_view> fields_;
 };
 
-/// Why a field cannot be used, for counting; and what it was, for the message.
+/// A reason for counting, and the offending text for the message.
 struct Fault {
   std::string reason;
   std::string detail;
@@ -117,7 +117,7 @@ std::optional<Fault> readPlace(const Table& table, std::int64_t& stamp_ns, Posit
   if (fault) {
     return fault;
   }
-  // A double of today's seconds is only good to a quarter of a microsecond.
+  // A double holds seconds of today only to a quarter of a microsecond.
   const std::optional<std::int64_t> exact_ns = parseNanoseconds(table.field(0));
   stamp_ns = exact_ns ? *exact_ns : std::llround(stamp_s * 1e9);
   return readPosition(table, 1, position);
@@ -134,7 +134,7 @@ std::optional<Fault> readReading(const Table& table, Reading& reading) {
     return Fault{"bssid is malformed", "bssid '" + std::string(text) + "'"};
   }
   reading.bssid = *bssid;
-  constexpr double kAbsurd = 1000.0;  // Mapper judges signals; this only keeps numbers sane
+  constexpr double kAbsurd = 1000.0;  // Mapper checks the signals
   return readNumber(table, 4, "rssi_dbm", -kAbsurd, kAbsurd, reading.rssi_dbm);
 }
 

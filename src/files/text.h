@@ -9,30 +9,31 @@
 
 namespace sfw {
 
-/// The number that the whole text spells ('.' as decimal point in any locale; blanks around it
-/// are ignored), or nothing. NaN and infinities are returned as such.
+/// Parses a number with '.' as decimal point in any locale. Blanks around it are ignored.
+/// @return nothing if the text is no number; NaN and infinities are numbers here
 std::optional<double> parseNumber(std::string_view text);
 
-/// The number with as few digits as read back the same.
+/// Formats a number with the fewest digits that read back as the same number.
 std::string exactText(double value);
 
-/// Nanoseconds in seconds that are spelt as a plain decimal number ("-1.25"): exact, rounded at the
-/// tenth place. Nothing for any other notation, nor beyond +-9e9 s, more than ten digits included.
+/// Parses seconds in plain decimal notation ("-1.25") to nanoseconds, rounded at the tenth place.
+/// @return nothing for another notation, beyond +-9e9 s, or for more than ten digits before the
+/// point
 std::optional<std::int64_t> parseNanoseconds(std::string_view seconds);
 
-/// Text without leading and trailing blanks.
+/// Removes leading and trailing blanks.
 std::string_view trimmed(std::string_view text);
 
-/// The parts between separators; always at least one.
+/// Splits a text at separators into at least one part.
 std::vector<std::string_view> split(std::string_view text, char separator);
 
 /// Levenshtein's distance: insertions, deletions and substitutions that turn `a` into `b`.
 std::size_t editDistance(std::string_view a, std::string_view b);
 
-/// The text with U+FFFD for every byte that is no part of valid UTF-8.
+/// Replaces every byte that is no part of valid UTF-8 by U+FFFD.
 std::string asUtf8(const std::string& text);
 
-/// Text by a format of printf.
+/// Formats as printf.
 template <class... Arguments>
 std::string formatted(const char* format, Arguments... arguments) {
   const int length = std::snprintf(nullptr, 0, format, arguments...);
@@ -42,7 +43,7 @@ std::string formatted(const char* format, Arguments... arguments) {
   return text;
 }
 
-/// The whole file. @throw InputError naming it.
+/// Reads a whole file. @throw InputError naming it.
 std::string readFile(const std::string& file);
 
 }  // namespace sfw

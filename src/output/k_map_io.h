@@ -8,7 +8,7 @@
 
 namespace sfw {
 
-/// A k map and the access point that its counts belong to.
+/// Wall counts of every cell, and the access point that they belong to.
 struct KMap {
   Grid<std::uint8_t> counts;                 ///< values as in k_visibility.h
   Position access_point = Position::Zero();  ///< [m], map frame

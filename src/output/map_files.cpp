@@ -18,7 +18,7 @@
 namespace sfw {
 namespace {
 
-/// Removes files that a map may have and this one has not: they are of an earlier one.
+/// Removes files of an earlier map that this map lacks.
 void removeOthers(const std::vector<std::pair<std::string, std::string>>& files,
                   const std::string& directory) {
   for (const char* name : {"map.bt", "map.ot", "wall_loss.pgm", "wall_loss.yaml"}) {
@@ -45,7 +45,7 @@ std::string probabilityPgm(const BeliefMap& belief) {
 
 void writeMapFiles(const Snapshot& snapshot, const Config& config, const std::string& directory,
                    const DataFindings& findings) {
-  // Everything is made before anything is written, so what cannot be made leaves no trace.
+  // All files are encoded before the first is written, so an error leaves no trace.
   const BeliefMap& belief = snapshot.belief;
   std::vector<std::pair<std::string, std::string>> files{
       {directory + "/map.pgm", trinaryPgm(belief)},

@@ -11,12 +11,12 @@ namespace sfw {
 /// a fixed scale; grey for PathPose::kNoWallCount.
 Colour wallCountColour(int walls);
 
-/// A PNG for people: the known part of the map, the path coloured by wall count with its legend,
-/// the access points with their names, and a scale bar.
+/// Draws the known part of a map as a PNG: cells, path coloured by wall count, access points with
+/// names, legend and scale bar.
 /// @throw std::runtime_error if Cairo fails.
 std::string renderPicture(const Snapshot& snapshot);
 
-/// The same of states alone: free space, walls and one access point.
+/// Draws states as a PNG: free space, walls and one access point.
 /// @throw std::runtime_error if Cairo fails.
 std::string renderPicture(const Grid<CellState>& states, const Position& access_point);
 

@@ -34,7 +34,7 @@ Json describe(const AccessPointSummary& summary, const AccessPointFit* fit) {
     json["x"] = access_point.position.x();
     json["y"] = access_point.position.y();
   } else {
-    json["left_out"] = "it has no position, and its readings do not tell one";
+    json["left_out"] = "it has no position, and its readings do not suffice to estimate one";
   }
   if (summary.estimate) {
     const Eigen::Matrix2d& covariance = summary.estimate->covariance;

@@ -79,7 +79,7 @@ class BadAccessPoints(CommandLine):
                    "  - {bssid: \"02:00\", x: 2}\n"
                    "  - {bssid: \"%s\", x: .nan, y: here}\n"
                    "  - 7\n" % (NEAR, NEAR.upper(), FAR),
-                   "access_points[1]: %s stands in the list twice" % NEAR,
+                   "access_points[1]: %s is in the list twice" % NEAR,
                    "access_points[2]: 'bssid'", "access_points[2]: 'y' is missing",
                    "access_points[3]: 'x'", "access_points[3]: 'y'", "access_points[4]")
 

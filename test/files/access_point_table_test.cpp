@@ -103,7 +103,7 @@ TEST(AccessPointTable, RefusesARadioThatStandsInItTwice) {
   EXPECT_EQ(complaintOf("[" + kGood +
                         ", {bssid: '02:00:00:00:00:02', x: 0, y: 0}, "
                         "{bssid: 02-00-00-00-00-01, x: 5, y: 5}]"),
-            "access_points[2]: 02:00:00:00:00:01 stands in the list twice");
+            "access_points[2]: 02:00:00:00:00:01 is in the list twice");
 }
 
 TEST(AccessPointTable, NamesAllFaultsAtOnce) {
