@@ -145,8 +145,8 @@ TEST(StrayPoses, AreReported) {
   shift(path, 12, 14, {300.0, 0.0});
   const std::vector<MapNote> notes = mapNotes(*mapperWith(heardOn(path)).infer());
   const auto told = std::find_if(notes.begin(), notes.end(), [](const MapNote& note) {
-    return note.text.rfind("2 poses are left out with the readings there: up to 301 m away",
-                           0) == 0 &&
+    return note.text.rfind("2 poses are left out with the readings there: up to 301 m away", 0) ==
+               0 &&
            note.text.find("at 12.000 s") != std::string::npos;
   });
   EXPECT_NE(told, notes.end());
