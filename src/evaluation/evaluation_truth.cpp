@@ -61,8 +61,8 @@ Mask regionOf(const Mask& free, const std::vector<Position>& path) {
   const auto most = std::max_element(positions_on.begin(), positions_on.end());
   if (*most == 0) {
     throw InputError(
-        "no position of the path lies in free space of the truth: are the two in the "
-        "same frame?");
+        "no position of the path lies in free space of the truth: check that both are in the "
+        "same frame");
   }
   Mask region(free.geometry);
   const std::int64_t label = most - positions_on.begin();

@@ -148,7 +148,8 @@ void run(const EvaluateOptions& options) {
   EvaluationInput input{readMap(options.map), readMap(options.truth), {}, {}, {}};
   readProbabilityAndWallLoss(options.map, options.probability, input);
   if (!input.map.geometry.box().intersects(input.truth.geometry.box())) {
-    warn(options.map + " and " + options.truth + " do not overlap: are the two in the same frame?");
+    warn(options.map + " and " + options.truth +
+         " do not overlap: check that both are in the same frame");
   }
   for (const Reading& reading : readings) {
     input.path.push_back(reading.antenna_in_map);
