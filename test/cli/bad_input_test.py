@@ -52,7 +52,7 @@ class BadReadings(CommandLine):
 
     def test_only_percent(self):
         text = HEADER + "\n" + "\n".join("%d,%d,1,%s,70" % (i, i, NEAR) for i in range(5))
-        self.bad(self.map(readings=self.write("percent.csv", text)), "percent.csv", "(percent, or")
+        self.bad(self.map(readings=self.write("percent.csv", text)), "percent.csv", "(a percentage, or")
 
     def test_a_drive_beyond_all_bounds(self):
         far = ["%d,%d,1,%s,-50" % (i, 400000 + i, NEAR) for i in range(3)]

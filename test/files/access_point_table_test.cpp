@@ -52,7 +52,7 @@ TEST(AccessPointTable, MustBeAListWithAnEntry) {
 
 TEST(AccessPointTable, NamesEntryAndFieldOfEachFault) {
   EXPECT_EQ(complaintOf("[" + kGood + ", 5]"),
-            "access_points[1]: must be a map with bssid and, if they are known, x and y");
+            "access_points[1]: must be a map with bssid and, if known, x and y");
   EXPECT_EQ(complaintOf("[{x: 1, y: 2}]"),
             "access_points[0]: 'bssid' must look like '02:00:00:00:00:01'; it is ''");
   EXPECT_EQ(complaintOf("[{bssid: 2:0:0:0:0:1, x: 1, y: 2}]"),

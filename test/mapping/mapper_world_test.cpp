@@ -143,7 +143,7 @@ TEST(MapperInAWorld, FindsItsFreeSpaceAndWalls) {
   const MapMetrics& figures = evaluation.map;
   // Perfect counts never free a cell of a wall.
   EXPECT_GE(figures.free.precision, 0.995);
-  EXPECT_LE(*figures.observed_leak, 0.005);
+  EXPECT_LE(*figures.observed_walls_called_free, 0.005);
   // The strip of 0.25 m between the robot's footprint and the walls stays unseen: that leaves 27.3
   // of 38.9 m2. Less than a fiftieth of them may be lost; doors add a little.
   EXPECT_GE(figures.free.recall, 0.98 * 27.3 / 38.9);
@@ -153,7 +153,7 @@ TEST(MapperInAWorld, FindsItsFreeSpaceAndWalls) {
   EXPECT_GE(*figures.wall_two_cells->observed_recall, 0.98);
   // The path alone, closed, takes walls for free space.
   EXPECT_GT(figures.free.precision, evaluation.path_only.free.precision + 0.05);
-  EXPECT_GT(*evaluation.path_only.observed_leak, 0.2);
+  EXPECT_GT(*evaluation.path_only.observed_walls_called_free, 0.2);
 }
 
 TEST(MapperInAWorld, LosesItsWallsWithoutTheRadio) {
@@ -162,7 +162,7 @@ TEST(MapperInAWorld, LosesItsWallsWithoutTheRadio) {
   EXPECT_EQ(snapshot->access_points.front().wall_counts->walls(), 0U);
   const Evaluation evaluation =
       evaluate({statesOf(snapshot->belief), rooms(), drive(), kAccessPoints, std::nullopt});
-  EXPECT_GE(*evaluation.map.observed_leak, 0.5);
+  EXPECT_GE(*evaluation.map.observed_walls_called_free, 0.5);
   EXPECT_EQ(*evaluation.map.wall_two_cells->observed_recall, 0.0);
 }
 

@@ -6,7 +6,8 @@ namespace sfw {
 
 FloorPlan makeFloorPlan(const BuildingSource& source, std::int64_t seed) {
   if (source.plan.empty() == source.generate.empty()) {
-    throw InputError("the building needs either a plan or a kind to generate, and not both");
+    throw InputError(
+        "the building needs either a plan (--plan) or a kind to generate (--generate), not both");
   }
   if (source.generate.empty()) {
     return readFloorPlan(source.plan, source.options);
