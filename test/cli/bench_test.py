@@ -167,7 +167,7 @@ class Suites(Bench):
         for text, words in (("plan: [x]\n", ["'plan'", "plans"]),
                             ("seeds: many\n", ["seeds"]),
                             ("levels: loud\n", ["levels"]),
-                            ("- 1\n", ["table"]),
+                            ("- 1\n", ["must be a map"]),
                             ("seeds: [\n", ["line"])):
             with self.subTest(text=text):
                 self.bad(self.bench("--suite", self.write("bad.yaml", text)), "bad.yaml", *words)
