@@ -20,7 +20,7 @@ struct AccessPointEstimate {
   std::size_t bins = 0;      ///< square cells of floor that hold these readings
 };
 
-/// How well the readings of an access point fit the position given for it.
+/// Measures how well the readings of an access point fit its given position.
 struct AccessPointFit {
   double residual_db = 0.0;      ///< root mean square distance of the bins' means to the fitted law
   double log_ratio = 0.0;        ///< log likelihood of the estimate less that of the position, >= 0

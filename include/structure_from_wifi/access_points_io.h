@@ -22,11 +22,11 @@ struct AccessPointReading {
 /// @throw InputError if the table is missing or empty, or naming every unusable or repeated entry.
 SFW_EXPORT AccessPointReading accessPointsFromYaml(const YAML::Node& table);
 
-/// As accessPointsFromYaml, from a file whose key `access_points` holds the table.
+/// Reads a table as accessPointsFromYaml does, from the key `access_points` of a file.
 /// @throw InputError naming the file, also if it cannot be read or parsed.
 SFW_EXPORT AccessPointReading readAccessPoints(const std::string& file);
 
-/// The text of a table that readAccessPoints reads back to the same access points.
+/// Formats a table. readAccessPoints reads the text back to the same access points.
 SFW_EXPORT std::string accessPointsYaml(const std::vector<AccessPoint>& access_points);
 
 }  // namespace sfw

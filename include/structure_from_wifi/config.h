@@ -10,8 +10,8 @@ namespace sfw {
 
 /// Every setting of the mapper, with its default. config/mapping.yaml explains each one.
 struct Config {
-  /// How walls are inferred: "tomography" from all readings together, fused with the path, or
-  /// "k_visibility" from wall counts, as in the paper.
+  /// The method that infers walls. "tomography" uses all readings together and fuses them with the
+  /// path. "k_visibility" uses wall counts, as in the paper.
   std::string method = "tomography";
 
   /// Extent and resolution of the map.
@@ -34,7 +34,7 @@ struct Config {
     std::string filter = "median";    ///< of the sliding window: "median" or "mean"
     std::int64_t window = 5;          ///< readings of one access point, odd
     double path_loss_exponent = 1.2;  ///< loss by distance removed before counting; 0: none
-    std::int64_t wall_count = 0;      ///< largest wall count K; 0 lets the data choose
+    std::int64_t wall_count = 0;      ///< largest wall count K; 0: chosen from the data
     std::int64_t max_wall_count = 4;  ///< largest K that the data may choose
     double min_wall_loss_db = 5.0;    ///< least distance of neighbouring centroids
     double wall_thickness_m = 0.10;   ///< of each wall that a count finds
@@ -44,7 +44,7 @@ struct Config {
   /// Method "tomography": from all readings to the losses of walls.
   struct Tomography {
     double bin_size_m = 0.2;              ///< readings of one access point this close are averaged
-    double max_total_wall_loss_db = 0.0;  ///< losses of all walls stay below; 0: they add up
+    double max_total_wall_loss_db = 0.0;  ///< limit of the sum of losses; 0: none
     double l1_weight = 0.03;              ///< weight of the sum of all losses: fewer walls
     double smoothness_weight = 8.0;       ///< weight of changes along a wall: longer walls
     double nugget_db = 2.0;               ///< standard deviation of a bin that no wall explains
@@ -69,8 +69,8 @@ struct Config {
 /// Calls `visit(name, member)` for each setting in the order of config/mapping.yaml.
 ///
 /// The name is the path of the ROS parameter and of the YAML key ("map/resolution"); the member is
-/// a reference to double, std::int64_t or std::string. This list is the only one: readers, the
-/// report and the tests are all made from it.
+/// a reference to double, std::int64_t or std::string. No other list exists: readers, the report
+/// and the tests all use this one.
 template <class AnyConfig, class Visitor>
 void forEachSetting(AnyConfig& config, Visitor&& visit) {
   visit("method", config.method);

@@ -12,7 +12,7 @@
 
 namespace sfw {
 
-/// Whether the signals agree where the path returns to a place.
+/// Shows whether the signals agree where the path returns to a place.
 struct DriftFinding {
   /// Mean square difference of signals within 0.3 m of a place, over that at 2 to 3 m. It is .1 to
   /// .4 with good poses and near 1 with drifted ones.
@@ -23,9 +23,9 @@ struct DriftFinding {
 
 /// The results of checking the data of a map.
 struct DataFindings {
-  /// How well readings fit each access point of the table; empty where nothing is known.
+  /// The fit of the readings to each access point of the table; empty without a result.
   std::vector<std::optional<AccessPointFit>> fits;
-  std::optional<DriftFinding> drift;  ///< empty if nothing is known, or nobody looked
+  std::optional<DriftFinding> drift;  ///< empty without a result, or without a check
   bool unfinished = false;            ///< some access points wait for the next check
 
   /// The fit of an access point by its index in the table, or nullptr.
@@ -34,8 +34,8 @@ struct DataFindings {
   }
 };
 
-/// Checks the data that a map was made from: the positions that the table gives for access points,
-/// and the poses. A checker remembers its results, since a live map is checked again and again.
+/// Checks the data of a map: the poses, and the positions of access points in the table. A checker
+/// remembers its results, since a live map is checked again and again.
 /// Not thread-safe.
 class SFW_EXPORT DataChecker {
  public:
@@ -47,9 +47,10 @@ class SFW_EXPORT DataChecker {
   DataFindings checkAll(const Snapshot& snapshot);
   /// @}
 
-  /// Checks the access points whose readings have changed most, 4 at most: those with a tenth more
-  /// readings than at their last check, or with readings that a correction of the path moved. The
-  /// others keep their last result. Does not look for drift.
+  /// Checks the access points whose readings have changed most, 4 at most. An access point has
+  /// changed if it has a tenth more readings than at its last check. It has also changed if a
+  /// correction of the path moved its readings. The others keep their last result. Does not look
+  /// for drift.
   DataFindings checkChanged(const Snapshot& snapshot, const std::atomic<bool>& stop);
 
  private:

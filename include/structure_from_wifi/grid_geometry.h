@@ -34,7 +34,7 @@ class SFW_EXPORT GridGeometry {
   GridGeometry(double resolution_m, const Position& origin, std::int64_t width,
                std::int64_t height);
 
-  /// The farthest that a map's origin may lie from the frame's origin [cells]. Farther out, single
+  /// The largest distance of a map's origin from the frame's origin [cells]. Farther out, single
   /// precision, as in MRPT and most consumers, does not distinguish neighbouring cells.
   static constexpr double kFarthestMap = 2097152.0;
 

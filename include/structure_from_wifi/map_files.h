@@ -15,10 +15,10 @@ SFW_EXPORT std::string trinaryPgm(const BeliefMap& belief);
 /// The image of the probabilities p of being occupied: 255 (1 - p), 128 where nothing is known.
 SFW_EXPORT std::string probabilityPgm(const BeliefMap& belief);
 
-/// Writes the files of a map into a directory, which it makes if missing.
+/// Writes the files of a map into a directory. Makes the directory if it is missing.
 ///
 /// Every map has map.pgm, map.yaml, probability.pgm, probability.yaml, map.png and report.json.
-/// Maps that octomapReaches have map.bt and map.ot, maps of tomography wall_loss.pgm and
+/// Maps that octomapReaches have map.bt and map.ot. Maps of tomography have wall_loss.pgm and
 /// wall_loss.yaml. Old files stay until all new ones are complete; then files that this map lacks
 /// are removed.
 /// @throw std::system_error or std::invalid_argument naming the file and why.

@@ -27,7 +27,8 @@ struct MapNote {
   std::string text;   ///< one or two sentences
 };
 
-/// Whether a note reports a fault. The other notes report missing data, as every drive begins with.
+/// Whether a note reports a fault. The other notes report missing data, which is normal at the
+/// start of a drive.
 SFW_EXPORT bool isFault(const MapNote& note);
 
 /// Lists the weaknesses of a map: a drive too short or too straight, signals without information,

@@ -25,7 +25,7 @@ enum class UseRadio;
 /// play rate of a bag do not matter. Of several readings of one radio at one stamp, the strongest
 /// counts. Positions are rounded to 0.1 mm and signals to 0.01 dB on insertion, so rounding errors
 /// of the poses do not matter either.
-/// Copies share all that never changes. Not thread-safe; its owner serialises calls.
+/// Copies share the immutable parts. Not thread-safe; its owner serialises calls.
 class SFW_EXPORT Mapper {
  public:
   /// @throw InputError if the configuration or the table of access points cannot be used.
@@ -40,8 +40,8 @@ class SFW_EXPORT Mapper {
   ~Mapper();
 
   /// Adds a reading or a contact. Any result but kAccepted and kUnknownAccessPoint leaves the map
-  /// as it was. O(log access points), but O(readings log readings) for the first position that
-  /// seems too far after some that did not.
+  /// as it was. The cost is O(log access points). It is O(readings log readings) for the first
+  /// position that seems too far away after positions that did not.
   /// @{
   InsertResult insert(const Reading& reading);
   InsertResult insert(const Contact& contact);
@@ -56,8 +56,8 @@ class SFW_EXPORT Mapper {
   /// the map cannot hold at its new position is dropped and counted. O(readings log corrections).
   void correct(const PathCorrection& correction);
 
-  /// The extent of access points, path and contacts [m], without the map's margin, and all that
-  /// growTo() added. O(readings log readings), as all functions that follow.
+  /// The extent of access points, path, contacts and the boxes of growTo() [m], without the map's
+  /// margin. O(readings log readings), as for all functions below.
   Box extent() const;
 
   /// Makes the map cover a box from now on. A box that is too large changes nothing.
@@ -70,7 +70,7 @@ class SFW_EXPORT Mapper {
   /// stray.
   GridGeometry geometry() const;
 
-  /// Every reading once, by stamp and bssid: enough for a file to make the same map again.
+  /// Every reading once, by stamp and bssid. A file of these readings gives the same map again.
   std::vector<Reading> readings() const;
 
   /// Every contact, in order of arrival.
@@ -86,7 +86,7 @@ class SFW_EXPORT Mapper {
   std::shared_ptr<const Snapshot> infer() const;
   /// @}
 
-  /// Infers the map without any signal strength: an ablation that shows the radio's share.
+  /// Infers the map without any signal strength. This ablation shows the contribution of the radio.
   std::shared_ptr<const Snapshot> inferWithoutRadio() const;
 
  private:

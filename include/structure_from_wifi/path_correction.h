@@ -8,7 +8,7 @@
 
 namespace sfw {
 
-/// Position of the antenna at a time, and the transform from odometry to map that gave it.
+/// The position of the antenna at a time, and its transform from odometry to map.
 struct OdometryCorrection {
   std::int64_t stamp_ns = 0;                   ///< of the pose
   Position antenna_in_map = Position::Zero();  ///< [m]
@@ -16,7 +16,7 @@ struct OdometryCorrection {
   double odom_yaw_rad = 0.0;                   ///< of the odometry's frame in the map frame
 };
 
-/// Moves points of the past to where a later correction of the path puts them. Immutable.
+/// Moves points of the past by a later correction of the path. Immutable.
 class SFW_EXPORT PathCorrection {
  public:
   /// Creates a correction that moves nothing.
@@ -25,9 +25,9 @@ class SFW_EXPORT PathCorrection {
   /// True if every point stays where it is.
   bool empty() const { return moves_.empty(); }
 
-  /// Returns the corrected place of a point that the robot sensed at a time: it moves along with
-  /// the antenna of that time. A point without a correction at its time stays where it is, to the
-  /// last bit. O(log corrections).
+  /// Returns the corrected position of a point that the robot sensed at a time. The point moves
+  /// with the antenna of that time. A point without a correction at its time keeps exactly its
+  /// position. O(log corrections).
   Position moved(std::int64_t stamp_ns, const Position& point_in_map) const;
 
  private:
@@ -45,13 +45,13 @@ class SFW_EXPORT PathCorrection {
 
 /// Corrects the past path when the transform from odometry to map jumps.
 ///
-/// A localisation changes that transform all the time. Small changes are taken as they are. A
-/// larger one, a jump, means that the path before it was wrong too, although tf never corrects the
-/// past. After a loop closure by SLAM, the error is the drift since the last jump. Drift grows with
-/// the distance driven, so the jump is spread over that distance in proportion: the turn first,
-/// then the rest of the displacement. The optimisation of a pose graph does the same to first
-/// order. If the distance is too short for so much drift, the jump reaches further back. If the
-/// whole drive is too short, it moves as a whole, as after a wrong pose at the start.
+/// A localisation changes that transform all the time. Small changes are accepted without further
+/// correction. A larger one, a jump, means that the path before it was wrong too, although tf never
+/// corrects the past. After a loop closure by SLAM, the error is the drift since the last jump.
+/// Drift grows with the distance driven, so the jump is spread over that distance in proportion:
+/// the turn first, then the rest of the displacement. The optimisation of a pose graph does the
+/// same to first order. If the distance is too short for so much drift, the jump reaches further
+/// back. If the whole drive is too short, it moves as a whole, as after a wrong pose at the start.
 ///
 /// The result depends on the set of corrections alone, not on their order. Not thread-safe.
 class SFW_EXPORT PathCorrector {
@@ -70,7 +70,8 @@ class SFW_EXPORT PathCorrector {
   /// @param tolerance  between jumps and small corrections
   explicit PathCorrector(const Tolerance& tolerance) : tolerance_(tolerance) {}
 
-  /// Adds a correction. Of several at one time only one counts. One that is not finite is ignored.
+  /// Adds a correction. Of several corrections at one time only one counts. A correction that is
+  /// not finite is ignored.
   void insert(const OdometryCorrection& correction);
 
   /// Forgets all corrections.

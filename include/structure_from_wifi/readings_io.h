@@ -35,10 +35,10 @@ SFW_EXPORT std::vector<Contact> readContacts(const std::string& file);
 /// @throw InputError as readContacts.
 SFW_EXPORT std::vector<Position> readWayPoints(const std::string& file);
 
-/// The text of a CSV that readReadings reads back to the same readings.
+/// Formats a CSV. readReadings reads the text back to the same readings.
 SFW_EXPORT std::string readingsCsv(const std::vector<Reading>& readings);
 
-/// The text of a CSV that readContacts reads back to the same contacts.
+/// Formats a CSV. readContacts reads the text back to the same contacts.
 SFW_EXPORT std::string contactsCsv(const std::vector<Contact>& contacts);
 
 }  // namespace sfw

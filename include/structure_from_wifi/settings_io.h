@@ -19,11 +19,11 @@ struct ConfigReading {
 };
 
 /// Reads settings over the defaults: nested maps whose paths are the names of forEachSetting.
-/// The key `access_points` is left to readAccessPoints, the group `ros` to the nodelet.
+/// readAccessPoints reads the key `access_points`. The nodelet reads the group `ros`.
 /// @throw InputError naming every setting of the wrong type and every problem of validate().
 SFW_EXPORT ConfigReading configFromYaml(const YAML::Node& node);
 
-/// As configFromYaml, from a file.
+/// Reads settings as configFromYaml does, from a file.
 /// @throw InputError naming the file, also if it cannot be read or parsed.
 SFW_EXPORT ConfigReading readConfig(const std::string& file);
 

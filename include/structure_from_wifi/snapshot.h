@@ -52,12 +52,13 @@ struct AccessPointSummary {
   std::optional<WallCountClusters> wall_counts;  ///< only of method k_visibility
 
   /// The estimated position if the table gives none; access_point.position has the same value then.
-  /// Without either, the readings of the access point only add to the path.
+  /// Without any position, the readings of the access point only add poses to the path.
   std::optional<AccessPointEstimate> estimate = {};
 
   double rssi_deviation_db = 0.0;  ///< standard deviation of its readings
 
-  /// Readings of 0 dBm, which no radio receives: some drivers report 0 for an inaudible radio.
+  /// Readings of 0 dBm. No radio receives so much; some drivers report 0 for a radio without a
+  /// signal.
   std::size_t at_zero_dbm = 0;
 
   std::vector<Sample> samples = {};  ///< its readings in the order of stamps, without stray poses
@@ -68,7 +69,7 @@ inline bool hasPosition(const AccessPointSummary& summary) {
   return summary.access_point.position_known || summary.estimate;
 }
 
-/// How far the belief model used its part for each driving style; the shares sum to 1.
+/// Share of the belief model's expert for each driving style; the shares sum to 1.
 struct DrivingStyleShares {
   double along_walls = 0.0;  ///< the robot follows the walls
   double patrol = 0.0;       ///< the robot visits rooms one after another
@@ -86,20 +87,20 @@ struct TomographySummary {
 
   Grid<float> wall_loss;          ///< of a signal through each cell [dB], from the radio alone
   double building_yaw_rad = 0.0;  ///< of the building's x axis in the map frame
-  YawSource yaw_source = YawSource::kNone;  ///< where that direction comes from
+  YawSource yaw_source = YawSource::kNone;  ///< source of that direction
   DrivingStyleShares style = {};            ///< of the belief model
   double explained_variance = 0.0;  ///< share of the signals' variance around the log-distance law
 };
 
-/// Poses that the robot cannot have reached: it would have had to jump there and back. A map uses
-/// no reading and no contact from such a pose.
+/// Stray poses. The robot cannot have reached them without a jump there and back. A map uses no
+/// reading and no contact from such a pose.
 struct StrayPoses {
   std::size_t count = 0;            ///< of poses
   std::int64_t first_stamp_ns = 0;  ///< of the first one
   double farthest_m = 0.0;  ///< from the last pose before it that is not stray, or the first after
 };
 
-/// The speed of a path, and its jumps to places from which it goes on.
+/// The speed of a path, and the jumps after which it continues at the new place.
 struct PathMotion {
   double usual_speed_m_s = 0.0;          ///< median of the steps
   std::size_t jumps = 0;                 ///< steps that the robot cannot have driven

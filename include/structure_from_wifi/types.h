@@ -20,7 +20,7 @@ struct Reading {
   double rssi_dbm = 0.0;                       ///< received power
 };
 
-/// A reading whose access point and time are known from where it is kept.
+/// A reading in a list that already gives its access point and time.
 struct Sample {
   Position antenna_in_map = Position::Zero();  ///< [m]
   double rssi_dbm = 0.0;                       ///< received power

@@ -14,7 +14,7 @@ namespace sfw {
 /// of the bins' means, with these priors: power -37 +- 8 dBm at 1 m, exponent 2.1 +- 0.4, walls 0.6
 /// +- 0.6 dB/m, and first and second harmonics of the bearing +- 1.6 and 1.4 dB. The same
 /// likelihood chooses the strength and reach of shadow fading from 12 pairs. An access point of
-/// unknown height is taken to be 0.8 m above the antenna. Grid cells of high likelihood are
+/// unknown height is assumed to be 0.8 m above the antenna. Grid cells of high likelihood are
 /// quartered twice. The result is the mean and covariance of the likelihood over all cells.
 ///
 /// @param samples   in any order; map frame
@@ -29,7 +29,7 @@ std::optional<AccessPointEstimate> estimateAccessPoint(
 
 /// Compares the configured position of an access point with its readings.
 ///
-/// The access point is suspect if the estimate is farther than 1.5 m and e^6 times more likely.
+/// The access point is suspect if the estimate is more than 1.5 m away and e^6 times more likely.
 /// Share of access points found suspect on simulated drives (8 HouseExpo plans, 24 access points in
 /// each line), by the error of the configured position:
 ///
@@ -44,7 +44,7 @@ std::optional<AccessPointEstimate> estimateAccessPoint(
 ///
 /// @param configured  position in the table of access points [m], map frame
 /// @return nothing where estimateAccessPoint returns nothing.
-/// Cost as of estimateAccessPoint.
+/// The cost is that of estimateAccessPoint.
 std::optional<AccessPointFit> accessPointFit(const std::vector<Sample>& samples,
                                              const Position& configured,
                                              std::optional<double> height_m = std::nullopt);

@@ -17,10 +17,10 @@ class AccessPointLikelihood {
   /// behind them, or by a corridor. Without them the estimate moves to that side.
   static constexpr int kTerms = 7;
 
-  /// Shadow fading by everything that is not modelled, walls included.
+  /// Shadow fading by everything that the model leaves out, walls included.
   struct Shadowing {
     double deviation_db;  ///< standard deviation over positions
-    double distance_m;    ///< its correlation falls to 1/e here
+    double distance_m;    ///< distance at which its correlation is 1/e
   };
 
   /// @param access_point  its bins and height; its position is not used
@@ -44,7 +44,7 @@ class AccessPointLikelihood {
 
   /// Sums of squares and products of whitened terms and signals, all scaled by the priors.
   struct Moments {
-    Information information;  // that of the priors included
+    Information information;  // includes that of the priors
     Terms pull;               // products with the residuals to the prior mean
     double residual;          // sum of squares of the residuals to the prior mean
   };

@@ -5,7 +5,8 @@
 
 namespace sfw {
 
-/// Erases the elements that fulfil a predicate, which is asked once for each, in order.
+/// Erases the elements that fulfil a predicate. Calls the predicate once for each element, in
+/// order.
 template <class T, class Predicate>
 void eraseIf(std::vector<T>& all, Predicate&& predicate) {
   auto kept = all.begin();

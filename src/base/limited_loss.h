@@ -4,7 +4,8 @@
 
 namespace sfw {
 
-/// Total loss of walls in series, when it approaches a limit: signals find ways around [dB].
+/// Total loss of walls in series [dB]. It approaches a limit, because signals also propagate around
+/// walls.
 /// @param sum_db    of the walls' own losses
 /// @param limit_db  0 or infinity: losses add up
 inline double limitedLoss(double sum_db, double limit_db) {

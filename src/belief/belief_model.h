@@ -10,8 +10,8 @@
 
 namespace sfw {
 
-/// Gives the probability that a cell is free from its features: one logistic model for each driving
-/// style, and the distribution of paths in each style. Immutable.
+/// Calculates from the features of a cell the probability that it is free. It has one logistic
+/// model for each driving style, and the distribution of paths in each style. Immutable.
 class BeliefModel {
  public:
   /// Rim share, axis share and logarithm of winding + 0.01. Over many drives they are nearly

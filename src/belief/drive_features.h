@@ -19,14 +19,14 @@ struct AccessPointSamples {
   std::vector<Sample> samples;                      ///< in the order of their stamps
 };
 
-/// Everything that a map is inferred from.
+/// The data of a drive, from which a map is inferred.
 struct DriveData {
   std::vector<Position> path;  ///< all positions [m] in the order driven, map frame
   std::vector<AccessPointSamples> access_points;
   std::vector<Contact> contacts;  ///< obstacles touched: their cells stay occupied
 };
 
-/// Everything in the building frame that the belief model needs.
+/// The inputs of the belief model in the building frame.
 struct DriveFeatures {
   BuildingFrame frame;
   std::vector<AccessPointBins> access_points;

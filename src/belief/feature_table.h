@@ -8,8 +8,8 @@
 
 namespace sfw {
 
-/// Everything that the features of one cell are made of. Distances and depths lie in the building
-/// frame; the source is the cell of the path from which the cheapest way leads here.
+/// The quantities behind the features of one cell. Distances and depths lie in the building frame.
+/// The source is the cell of the path at which the cheapest way to this cell begins.
 struct CellInputs {
   /// Depths [m] inside the path closed with discs or squares of three sizes; negative outside.
   struct Depths {
@@ -45,7 +45,7 @@ struct CellFeature {
   float (*value)(const CellInputs& cell);
 };
 
-/// By how much a value passes a limit. A line bent there may fit better than a straight one.
+/// The excess of a value over a limit. It lets the model fit a line with a bend at the limit.
 inline float over(float value, float limit) { return std::max(0.0F, value - limit); }
 
 /// All features in the order of the vectors made of them; doc/method/belief.md explains each.

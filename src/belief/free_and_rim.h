@@ -8,7 +8,7 @@
 
 namespace sfw {
 
-/// The decision free, occupied or unknown: the last steps from probabilities to a map.
+/// Decides which cells are free, occupied or unknown: the last steps from probabilities to a map.
 
 /// Enters the evidence of the robot's body: its footprint along the path becomes free, and the
 /// cells of contacts become occupied.
@@ -21,10 +21,10 @@ void stampFootprintAndContacts(const Mask& path, const std::vector<Contact>& con
 
 /// Labels each cell as free, occupied or unknown by moving its probability across the thresholds.
 ///
-/// Free cells are those below belief/free_threshold that are connected with the path over edges,
-/// and islands in them without a clear obstacle. The rim, every cell next to a free one over an
-/// edge or a corner, becomes occupied. All other cells become unknown, because there is no evidence
-/// beyond the rim. Contacts and cells without evidence keep their values.
+/// A cell is free if it is below belief/free_threshold and connected with the path over edges.
+/// Islands in the free area without a clear obstacle are free too. The rim, every cell next to a
+/// free one over an edge or a corner, becomes occupied. All other cells become unknown, because
+/// there is no evidence beyond the rim. Contacts and cells without evidence keep their values.
 /// @param path      cells that the robot's antenna crossed, on the map's grid
 /// @param occupied  probabilities, changed in place
 /// Linear in cells.

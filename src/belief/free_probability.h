@@ -10,9 +10,9 @@ namespace sfw {
 
 /// Draws the log odds of described cells towards the mean along one axis of the building.
 ///
-/// Of the means of the row and of the column, each over 0.6 m to both sides, the one that speaks
-/// less for free space counts. Walls are straight, so the doubt of a line of cells stays, and the
-/// doubt of a single cell fades.
+/// The row and the column each have a mean over 0.6 m to both sides. The lower mean counts. Walls
+/// are straight. So low log odds of a line of cells stay low, and low log odds of a single cell
+/// rise.
 /// @param cells     indices of the described cells; no other cell counts or changes
 /// @param log_odds  of free space, 0 in all other cells; changed in place
 /// Linear in cells.

@@ -13,7 +13,7 @@ namespace sfw {
 struct FusedBelief {
   Grid<float> occupied;             ///< probability; 0.5 exactly where there is no evidence
   Grid<float> wall_loss;            ///< of signals through each cell, by radio alone [dB]
-  StyleShares style{};              ///< share of the model for each driving style
+  StyleShares style{};              ///< share of the expert for each driving style
   double explained_variance = 0.0;  ///< as explainedVariance, without limits
   BuildingFrame frame;
 
@@ -26,7 +26,7 @@ struct FusedBelief {
 ///
 /// Cells below belief/free_threshold are connected with the path. Cells above
 /// belief/occupied_threshold are the rim of those, or contacts. All other cells with evidence lie
-/// in between: nobody can say whether a wall stands there.
+/// in between, because the data do not show whether a wall stands there.
 /// @param geometry   of the map
 /// @param use_radio  false: the ablation without signal strength
 /// @param stop       polled; when it turns true the result is incomplete

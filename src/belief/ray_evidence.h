@@ -8,7 +8,8 @@
 
 namespace sfw {
 
-/// Number of rays through each cell, number of their access points, and their least loss.
+/// For each cell the number of rays through it, the number of their access points, and their least
+/// loss.
 struct RayEvidence {
   explicit RayEvidence(const GridGeometry& geometry)
       : rays(geometry), access_points(geometry), least_loss(geometry, kUnseen) {}

@@ -4,7 +4,8 @@
 
 namespace sfw {
 
-/// Each function runs one subcommand of `sfw`. It declares its options, parses them and works.
+/// Each function runs one subcommand of `sfw`. It declares its options, parses them and does its
+/// work.
 /// @throw InputError or std::system_error if it cannot do its work
 void runMap(Options& options);
 void runEvaluate(Options& options);

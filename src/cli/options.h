@@ -51,7 +51,7 @@ class Options {
   void addRequired(const std::string& name, const std::string& placeholder, std::string& value,
                    const std::string& text);
 
-  /// Makes an option required that is declared already.
+  /// Makes a declared option required.
   void require(const std::string& name) { required_.push_back(name); }
 
   /// Declares an option that takes one or more values and may be repeated.
@@ -69,7 +69,7 @@ class Options {
   /// @throw InputError that names the option and how to correct it
   bool parse();
 
-  /// Whether the command line has the option. Only after parse().
+  /// Whether the command line has the option. Call it only after parse().
   bool given(const std::string& name) const { return values_.count(name) != 0; }
 
  private:

@@ -11,7 +11,8 @@ class Progress {
  public:
   explicit Progress(std::size_t all);
 
-  /// Counts one more as done. `at_once`: its result existed already and took no time.
+  /// Counts one more item as done. `at_once` means that its result existed already and took no
+  /// time.
   void add(bool at_once = false);
 
  private:

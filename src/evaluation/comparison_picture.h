@@ -7,8 +7,9 @@
 
 namespace sfw {
 
-/// Draws a map over the truth as a PNG. Colours show free space and walls found and missed, walls
-/// called free and walls drawn in free space. Path, access points and a legend complete it.
+/// Draws a map over the truth as a PNG. Colours distinguish free space and walls that the map finds
+/// or misses. They also mark walls called free and walls drawn in free space. The picture has the
+/// path, the access points and a legend.
 ///
 /// Walls agree within 0.1 m, as in the metrics of evaluate(). Unknown cells of the truth stay
 /// empty. Map and truth lie in one frame; their grids may differ.

@@ -34,17 +34,18 @@ struct PredictionMetrics {
 
 /// Measures how well distance and walls predict hidden signals. It needs no true map.
 ///
-/// The way is cut into stretches, dealt to folds in turn. Each fold is hidden once, for all access
-/// points: from the other readings walls are estimated, power and exponent fitted with the priors
-/// of `shadowing`, and the mean signals of the hidden bins predicted, with and without the walls'
-/// losses and the residuals of the nearest 16 bins (kriging). The gain of walls over distance
-/// measures the radio's knowledge of the building. The nearest bins alone reach much of that gain.
+/// The path is cut into stretches, which are assigned to folds in turn. Each fold is hidden once,
+/// for all access points. The other readings give the walls, and power and exponent with the priors
+/// of `shadowing`. From these, the mean signals of the hidden bins are predicted. Predictions are
+/// made with and without the walls' losses, and with and without the residuals of the nearest 16
+/// bins (kriging). The gain of walls over distance measures the radio's information about the
+/// building. The nearest bins alone reach much of that gain.
 ///
 /// @param readings       map frame, in any order
-/// @param access_points  those that have no readings are left out
+/// @param access_points access points without readings are skipped
 /// @param stop           polled; when it turns true there is no result
-/// @return nothing if no bin was hidden that could be predicted, or the readings reach too far for
-/// a grid of 16 million cells.
+/// @return nothing if no hidden bin can be predicted, or if the extent of the readings needs more
+/// than 16 million cells.
 /// Deterministic. Cost: folds times that of estimateWalls, plus O(bins) small systems of equations.
 std::optional<PredictionMetrics> predictHiddenStretches(
     const std::vector<Reading>& readings, const std::vector<AccessPoint>& access_points,

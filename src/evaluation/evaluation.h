@@ -12,7 +12,7 @@ namespace sfw {
 /// Edge [m] of the cells on which maps are compared, whatever their own resolution.
 constexpr double kEvaluationResolutionM = 0.05;
 
-/// How well the cells called free match the truth's free region.
+/// Measures how well the cells called free match the truth's free region.
 struct FreeMetrics {
   double precision = 0.0;           ///< share of them in the region; 0 if there are none
   double tolerant_precision = 0.0;  ///< share of them within 0.1 m of the region
@@ -22,8 +22,8 @@ struct FreeMetrics {
   double beyond_precision = 0.0;    ///< precision of those farther than 0.3 m from the path
 };
 
-/// How well the cells called occupied match the truth's, two cells matching if their centres lie
-/// within a tolerance of each other.
+/// Measures how well the cells called occupied match the truth's. Two cells match if the distance
+/// of their centres is within a tolerance.
 struct WallMetrics {
   double precision = 0.0;                 ///< share near any occupied cell; 0 if there are none
   std::optional<double> recall;           ///< share of the walls that are near one
@@ -31,21 +31,21 @@ struct WallMetrics {
   std::optional<double> observed_recall;  ///< recall of the observed walls
 };
 
-/// How well the probabilities of cells separate walls from free space.
+/// Measures how well the probabilities of cells separate walls from free space.
 struct ProbabilityMetrics {
-  std::optional<double> auc;       ///< chance that a wall is rated above a free cell; ties half
-  std::optional<double> brier;     ///< mean squared error
+  std::optional<double> auc;    ///< chance that a wall is rated above a free cell; ties count half
+  std::optional<double> brier;  ///< mean squared error
   std::optional<double> log_loss;  ///< mean [nat]; probabilities end half an 8-bit step from 0, 1
   std::size_t cells = 0;           ///< that were compared
 };
 
-/// How well the wall losses of the radio alone separate walls from free space, over the cells that
-/// a ray crosses.
+/// Measures how well the wall losses of the radio alone separate walls from free space. Only cells
+/// that a ray crosses count.
 ///
 /// A cell counts as a wall if its loss is at least 0.6 dB and at least half of the greatest loss
 /// within 0.2 m along the axes. These cells are compared with the observed walls.
 struct RadioMetrics {
-  std::optional<double> auc;                 ///< of the wall loss; ties half
+  std::optional<double> auc;                 ///< of the wall loss; ties count half
   std::optional<double> auc_off_path;        ///< the same farther than 0.3 m from the path
   std::optional<double> wall_f1_two_cells;   ///< tolerance 0.1 m
   std::optional<double> wall_f1_four_cells;  ///< tolerance 0.2 m
@@ -86,20 +86,20 @@ struct EvaluationInput {
 
 /// Compares a map with the truth on cells of 0.05 m in the truth's frame.
 ///
-/// Region: the truth's free cells that hang together over edges with those that most positions of
-/// the path lie on; repeated positions in a row count once, positions off the truth not at all.
-/// Walls: the truth's occupied cells within 2 cells of the region; observed if the straight line
-/// between some access point and some position crosses them.
-/// Where the truth knows over 90 % of its cells, cells called free at the others are left out.
-/// Probabilities are compared over the cells of region and walls that the map does not call
+/// Region: the component of the truth's free cells, connected over edges, that contains most
+/// positions of the path. Successive equal positions count once. Positions outside the truth do not
+/// count. Walls: the truth's occupied cells within 2 cells of the region. A wall cell is observed
+/// if the straight line between an access point and a position crosses it.
+/// If more than 90 % of the truth's cells are known, cells called free at the other cells are left
+/// out. Probabilities are compared over the cells of region and walls that the map does not call
 /// unknown.
 /// The path-only map is the path (positions less than 1 m apart are joined) closed with a disc of
 /// 1.2 m, its holes filled, grown by 0.15 m.
-/// Limits are compared in metres in double arithmetic, where 3 and 6 cells of 0.05 m lie just
+/// Limits are compared in metres in double arithmetic. There, 3 and 6 cells of 0.05 m lie just
 /// above 0.15 and 0.3 m.
 ///
 /// @throw std::invalid_argument if the path is empty or a position is not finite and below 1000 km.
-/// @throw InputError if the truth has no room for a cell or too much, or if the path never touches
+/// @throw InputError if the truth is smaller than a cell or too large, or if the path never touches
 /// its free space.
 /// O(cells of the truth + positions x access points x cells on a ray).
 Evaluation evaluate(const EvaluationInput& input);

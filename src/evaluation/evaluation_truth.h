@@ -40,7 +40,7 @@ template <class T>
 Grid<T> sampled(const Grid<T>& grid, const GridGeometry& lattice, const T& elsewhere) {
   Grid<T> samples(lattice, elsewhere);
   forEachCell(lattice, [&](Cell c) {
-    // Compared in floating point: a grid may lie so far away that no cell can be counted.
+    // Uses floating point, because a grid may lie too far away for integer numbers of cells.
     const Position at = grid.geometry.toCells(lattice.centre(c));
     if (at.x() >= 0.0 && at.y() >= 0.0 && at.x() < static_cast<double>(grid.geometry.width()) &&
         at.y() < static_cast<double>(grid.geometry.height())) {

@@ -35,8 +35,8 @@ struct BenchmarkMetrics {
 ///
 /// Each method gives its own map and its ablations: kRadioShifts maps with shifted signals, and one
 /// without radio. A method that maps wall counts also maps the true counts, as an upper bound.
-/// Two references without walls follow: every cell on a ray is free; the path alone, closed and
-/// grown as in evaluate().
+/// Two references without walls follow. In the first, every cell on a ray is free. The second is
+/// the path alone, closed and grown as in evaluate().
 ///
 /// @param config  settings for all methods, except those that select the method
 /// @throw InputError as makeScenario, simulate and evaluate

@@ -6,7 +6,7 @@
 
 namespace sfw {
 
-/// Writes a file atomically: a reader sees the whole old file or the whole new one.
+/// Writes a file atomically: a reader gets the whole old file or the whole new one.
 ///
 /// The bytes go to a temporary file in the same directory, which is synced and then renamed.
 /// @throw std::system_error naming the file and why; nothing is left behind.

@@ -51,8 +51,8 @@ class Canvas {
   /// Draws an access point with its name beside it, if the name is not empty.
   void drawAccessPoint(const Position& at, const std::string& name);
 
-  /// Draws caption and entries on the left, and the scale bar on the right. Below panels there is
-  /// room for one row of entries, and none for a caption.
+  /// Draws caption and entries on the left, and the scale bar on the right. A picture with panels
+  /// has room for one row of entries and for no caption.
   void drawFooter(const std::string& caption, const std::vector<LegendEntry>& legend);
 
   /// @throw std::runtime_error if Cairo fails.

@@ -12,11 +12,11 @@
 
 namespace sfw {
 
-/// Settings in nested YAML maps, read by path ("map/resolution"). It collects everything wrong with
-/// them, so that the user sees all of it at once.
+/// Settings in nested YAML maps, read by path ("map/resolution"). It collects all problems of the
+/// settings, so that the user sees them at once.
 class SettingsTree {
  public:
-  /// The key `access_points` is left to its own reader.
+  /// Another reader handles the key `access_points`.
   /// @param tree  groups of 'name: value'; null for none
   /// @throw InputError if it is anything else
   explicit SettingsTree(const YAML::Node& tree);
@@ -24,7 +24,7 @@ class SettingsTree {
   /// Accepts a former name of a setting, with a warning.
   ///
   /// Launch files load the shipped defaults before a user's own settings. So a former name counts
-  /// even beside the setting, unless the setting has another value than its default.
+  /// even if the setting is present. It does not count if the setting differs from its default.
   void addFormerName(const std::string& former, const std::string& name) {
     former_names_[name] = former;
   }
@@ -53,7 +53,7 @@ class SettingsTree {
   /// The problems found so far. The reader adds its own.
   Problems& problems() { return problems_; }
 
-  /// Names that the tree has and nobody read.
+  /// Names in the tree that no reader has used.
   std::vector<std::string> unknown() const;
 
   /// A warning for each former name, and one for each unknown name with the nearest known one.
@@ -79,7 +79,7 @@ class SettingsTree {
 
   std::map<std::string, YAML::Node> values_;  // not read yet, by path
   std::vector<std::string> known_;
-  std::map<std::string, std::string> former_names_;  // by the name of now
+  std::map<std::string, std::string> former_names_;  // by the present name
   std::vector<std::string> former_warnings_;
   Problems problems_;
 };

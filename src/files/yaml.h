@@ -9,7 +9,7 @@
 
 namespace sfw {
 
-/// Reads a scalar as the type of `value`. A text is no number, and 2.5 is no whole number.
+/// Reads a scalar as the type of `value`. A text is not a number, and 2.5 is not a whole number.
 /// @return whether the node has that type; if not, `value` stays as it is.
 bool readScalar(const YAML::Node& node, bool& value);
 bool readScalar(const YAML::Node& node, double& value);

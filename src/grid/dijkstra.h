@@ -39,7 +39,7 @@ class Dijkstra {
     while (!open_.empty()) {
       const auto [cost, index] = open_.top();
       open_.pop();
-      if (!(cost > cost_.cells[index])) {  // else it was lowered again since
+      if (!(cost > cost_.cells[index])) {  // otherwise the entry is outdated
         return cost_.geometry.cell(index);
       }
     }

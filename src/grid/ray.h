@@ -8,12 +8,12 @@
 
 namespace sfw {
 
-/// A segment on the grid's lattice, ready to be walked cell by cell.
+/// A segment on the grid's lattice, for a walk cell by cell.
 ///
-/// Ends are snapped to 1/1024 cell, strictly inside their cells, so neither lies on a border and
-/// all later arithmetic is exact in integers: the cells from A to B are those from B to A, and a
+/// Ends are snapped to 1/1024 cell, strictly inside their cells, so neither end lies on a border
+/// and all later arithmetic is exact in integers. The cells from A to B are those from B to A. A
 /// segment through a lattice corner steps diagonally in both directions.
-/// Exact for cell coordinates below 2^19 in magnitude; points farther out must not be given.
+/// Exact for cell coordinates below 2^19 in magnitude; points farther out are not allowed.
 class Ray {
  public:
   static constexpr int kSubcellBits = 10;
@@ -25,8 +25,8 @@ class Ray {
   /// @param from,to  finite points [m] in the frame of `geometry`; they may lie outside the grid.
   Ray(const GridGeometry& geometry, const Position& from, const Position& to);
 
-  /// Calls `visit(Cell)` for each crossed cell in order, both ends included; cells outside the
-  /// grid are passed too. O(cells crossed).
+  /// Calls `visit(Cell)` for each crossed cell in order, both ends and cells outside the grid
+  /// included. O(cells crossed).
   template <class Visitor>
   void forEachCell(Visitor&& visit) const {
     forEachCellWhile([&](Cell cell) {

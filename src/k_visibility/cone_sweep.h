@@ -16,7 +16,7 @@ namespace sfw {
 /// included.
 class ConeSweep {
  public:
-  /// Farthest that an access point may lie from the grid's origin: the range of Ray [cells].
+  /// Largest distance of an access point from the grid's origin: the range of Ray [cells].
   static constexpr std::int64_t kFarthest = std::int64_t{1} << 19;
 
   /// @param source_x,source_y  the access point [sub-cells], inside a cell as Ray snaps it

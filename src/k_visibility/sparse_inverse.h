@@ -57,8 +57,8 @@ std::vector<RaySegment> segmentRay(const std::vector<CountedCell>& known);
 /// Spreads the walls of a segment over its cells as wall mass (doc/method/k_visibility.md).
 ///
 /// One wall gives one centred bell curve of standard deviation cells/4; more walls give as many,
-/// evenly spaced, of cells/(4 walls). The paper draws its
-/// equation 4 so, although the formula there is zero at the midpoint.
+/// evenly spaced, of cells/(4 walls). The paper draws its equation 4 this way, although the formula
+/// there is zero at the midpoint.
 /// @param cells       of the segment
 /// @param wall_cells  thickness of a wall in cells
 /// @return mass of each cell, at most 1; the sum is walls x wall_cells unless a cell was cut to 1.

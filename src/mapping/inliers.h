@@ -15,7 +15,7 @@ struct AccessPointReadings {
   std::vector<std::size_t> poses;  ///< index of each sample's pose in the path
 };
 
-/// The data of a map: everything that was inserted, less stray poses and repeated readings.
+/// The data of a map: all inserted data without stray poses and repeated readings.
 struct Inliers {
   std::vector<PathPose> path;                 ///< every pose once, in the order driven
   std::vector<AccessPointReadings> readings;  ///< by access point, in the order of the table

@@ -16,7 +16,7 @@ namespace sfw {
 
 /// Keeps readings and contacts, rejects those that a map cannot use, and knows the map's extent.
 ///
-/// Its functions are documented at those of Mapper with the same name. Not thread-safe.
+/// Mapper documents the functions of the same names. Not thread-safe.
 class ReadingStore {
  public:
   /// @throw InputError if the table of access points cannot be used.
@@ -56,7 +56,7 @@ class ReadingStore {
   /// Extends the reserved extent to everything.
   /// @return false, and changes nothing, if the map would be too large.
   bool reserveAll();
-  /// Drops the readings and contacts that the map has no room for, in order of arrival.
+  /// Drops the readings and contacts that do not fit the map, in order of arrival.
   void dropWhatDoesNotFit();
 
   struct Table {
@@ -71,8 +71,9 @@ class ReadingStore {
   Rejections rejections_;
 
   Box least_extent_;  // of a map without readings
-  // All positions that were accepted lie in the reserved extent, stray or not. It decides on the
-  // next position. Where that does not fit, the room that stray poses take is given back.
+  // All positions that were accepted lie in the reserved extent, stray or not. It decides whether
+  // the next position is accepted. If the position does not fit, the space of stray poses is
+  // released.
   Box reserved_extent_;
   bool holds_stray_room_ = false;  // false: the reserved extent is that of the inliers
 };

@@ -8,7 +8,7 @@
 
 namespace sfw {
 
-/// Wall counts of every cell, and the access point that they belong to.
+/// The wall count of every cell, and its access point.
 struct KMap {
   Grid<std::uint8_t> counts;                 ///< values as in k_visibility.h
   Position access_point = Position::Zero();  ///< [m], map frame
@@ -20,7 +20,7 @@ struct KMap {
 KMap readKMap(const std::string& file);
 
 /// Writes k.pgm, k.yaml and k.png, the picture in the colours of wallCountColour, into a directory
-/// that is made if missing. Each file appears whole or not at all.
+/// that is made if missing. Each file appears complete or not at all.
 /// @throw std::system_error naming the file and why.
 void writeKMap(const KMap& k_map, const std::string& directory);
 

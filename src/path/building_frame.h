@@ -29,9 +29,9 @@ struct BuildingFrame {
 
 /// Estimates the building's direction from a path, up to quarter turns.
 ///
-/// Headings of pieces of 0.4 m vote with the angle of exp(4 i heading). The mean of the headings
-/// within 8 degrees of the result refines it. If the votes scatter, the longer principal axis of
-/// the positions decides.
+/// Each piece of 0.4 m votes with the angle of exp(4 i heading). The mean of the headings within 8
+/// degrees of the result refines it. If the votes scatter, the longer principal axis of the
+/// positions decides.
 /// @param path       positions [m] in the order driven
 /// @param max_gap_m  longer steps have no heading
 BuildingFrame findBuildingFrame(const std::vector<Position>& path, double max_gap_m);

@@ -9,20 +9,20 @@
 
 namespace sfw {
 
-/// Finds the nearest neighbours of a point among positions that are entered one by one.
+/// Finds the nearest neighbours of a point among positions that are inserted one by one.
 ///
-/// Positions are sorted into square cells, about four in each; a search goes outwards in rings of
-/// cells. Exact. Among a share s of evenly spread positions, a search looks at about `count` / (4
-/// s) cells.
+/// Positions are sorted into square cells, about four in each. A search goes outwards in rings of
+/// cells. The result is exact. If a share s of evenly spread positions is inserted, a search visits
+/// about `count` / (4 s) cells.
 class NearestNeighbours {
  public:
-  /// @param positions  all that can be entered [m], finite; must outlive this
+  /// @param positions all that can be inserted [m], finite; must outlive this
   explicit NearestNeighbours(const std::vector<Position>& positions);
 
-  /// Lets searches find the position of a number.
+  /// Inserts the position with a number, so that searches find it.
   void enter(int number);
 
-  /// The `count` nearest entered positions, or all if there are fewer.
+  /// The `count` nearest inserted positions, or all if there are fewer.
   /// @return squared distance [m2] and number of each, by distance, then by number; valid until the
   /// next call.
   const std::vector<std::pair<double, int>>& nearest(const Position& to, std::size_t count);

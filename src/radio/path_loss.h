@@ -16,8 +16,8 @@ constexpr double kPriorExponent = 2.1;    ///< of the path loss
 /// Distances in space [m] from squared distances on the floor [m2].
 ///
 /// Distances on the floor count as at least 0.3 m. If the height of the access point above the
-/// floor is known, the antenna is taken to be 0.6 m above the floor; otherwise both are at one
-/// height.
+/// floor is known, the antenna is assumed to be 0.6 m above the floor. Otherwise both are assumed
+/// to be at one height.
 Eigen::ArrayXd spaceDistance(const Eigen::ArrayXd& squares_m2, std::optional<double> height_m);
 
 /// 10 log10 of the distance in space in metres, as of spaceDistance: the factor of the exponent in

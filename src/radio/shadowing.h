@@ -42,8 +42,8 @@ class ShadowingWhitener {
  private:
   friend class SignalPrecisionF;
 
-  /// With 12 the variance of most sums of signals is right within a seventh, and of the worst one
-  /// within a half. What is known of shadowing is less certain than that.
+  /// With 12 neighbours, the variance of most sums of signals is right within a seventh. The
+  /// variance of the worst sum is right within a half. Shadowing itself is known less accurately.
   static constexpr int kNeighbours = 12;
 
   /// One row of the factor L: a position itself, then its neighbours. A row with fewer neighbours

@@ -2,7 +2,8 @@
 
 namespace sfw {
 
-/// Covariance of the mean signals of one access point at several positions, walls apart.
+/// Covariance of the mean signals of one access point at several positions, without the losses of
+/// walls.
 ///
 /// With d the distance of two positions and h 10 log10 of that to the access point:
 ///   C_ij = shadowing^2 exp(-d_ij / shadowing_distance) + [i = j] (noise_i + nugget)

@@ -9,7 +9,7 @@
 
 namespace sfw {
 
-/// Numbers of several positions side by side: the processor calculates with all of them at once.
+/// Numbers of several positions side by side. The processor calculates with all of them at once.
 constexpr int kLanes = 4;
 using Lanes = Eigen::Array<double, kLanes, 1>;
 
@@ -20,7 +20,7 @@ using Lanes = Eigen::Array<double, kLanes, 1>;
 template <int kNeighbours>
 class VecchiaRows {
  public:
-  /// Enters a position.
+  /// Inserts a position.
   /// @param lane     of the row
   /// @param index    0 for the row's own position, then the neighbours from 1 on
   /// @param own_db2  variance that no other position shares
@@ -32,7 +32,7 @@ class VecchiaRows {
     known_[i][lane] = 1.0;
   }
 
-  /// Enters no neighbour where a row has fewer; its weight becomes 0.
+  /// Leaves the slot of a missing neighbour empty; its weight becomes 0.
   void putNone(int lane, int index) {
     put(lane, index, Position::Zero(), 1.0);
     known_[static_cast<std::size_t>(index)][lane] = 0.0;
@@ -79,7 +79,7 @@ void VecchiaRows<kNeighbours>::solve(const SignalCovariance& model) {
       pivot -= row[j] * factor_[i][j];
       forwards -= factor_[i][j] * weight_[j];
     }
-    // A conditional variance is at least the position's own; rounding could make it smaller where
+    // A conditional variance is at least the position's own. Rounding could make it smaller where
     // positions coincide.
     inverse_pivot_[i] = pivot.max(own_[i + 1]).inverse();
     weight_[i] = forwards;

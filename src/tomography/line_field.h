@@ -47,8 +47,8 @@ struct LatticeLoss {
 
   LineLattice lattice;
 
-  /// Losses [dB] of walls through the middle of each cell; 0 where no ray crosses the wall or the
-  /// robot has been.
+  /// Losses [dB] of walls through the middle of each cell; 0 where no ray crosses the wall, or
+  /// where the robot was.
   Grid<float> walls_along_y;  ///< rays along x cross them
   Grid<float> walls_along_x;  ///< rays along y cross them
 };
@@ -72,11 +72,12 @@ double lossBetween(const LineField& field, const Position& from, const Position&
 
 /// Line-field tomography: estimates the walls from all readings of all access points at once.
 ///
-/// Minimises 1/2 r' Q r + l1_weight sum w x + smoothness_weight sum sqrt(D^2 + 0.09) over losses
-/// x >= 0 [dB]. Here r is the signal without log-distance path loss and (limited) wall losses, Q is
-/// the inverse of SignalCovariance, and D is the change from cell to cell along a wall: walls are
-/// few, long and straight. FISTA (Beck and Teboulle 2009) runs with w = 1, then again with w small
-/// where walls were found. Convex if losses add up; deterministic.
+/// Minimises 1/2 r' Q r + l1_weight sum w x + smoothness_weight sum sqrt(D^2 + 0.09) over losses x
+/// >= 0 [dB]. Here r is the signal without log-distance path loss and (limited) wall losses, Q is
+/// the inverse of SignalCovariance, and D is the change from cell to cell along a wall. Both
+/// penalties express that walls are few, long and straight. FISTA (Beck and Teboulle 2009) runs
+/// with w = 1, then again with w small where walls were found. The objective is convex if losses
+/// add up. Deterministic.
 ///
 /// @param lattices       of the result; walls may stand on all of them
 /// @param access_points  with their bins, building frame
@@ -95,8 +96,8 @@ void forEachLine(const GridGeometry& geometry, const Position& from, const Posit
   const Position b = geometry.toCells(to);
   const Position size(static_cast<double>(geometry.width()),
                       static_cast<double>(geometry.height()));
-  // From the lower end on, so that swapped ends round alike; the slope of a line's own direction
-  // is infinite and not used.
+  // Starts at the lower end, so that swapped ends give the same rounding. The slope of a line's own
+  // direction is infinite and not used.
   const auto cross = [](Position low, Position high, const Position& grid, auto&& meet) {
     if (high.x() < low.x()) {
       std::swap(low, high);

@@ -47,7 +47,7 @@ class Unknowns {
   /// The unknown in a slot, or kNone.
   std::int32_t in(std::int32_t slot) const { return number_[static_cast<std::size_t>(slot)]; }
 
-  /// For each unknown but the last one whether the next one continues its wall: 1 or 0.
+  /// For each unknown but the last: 1 if the next one continues its wall, otherwise 0.
   Eigen::ArrayXf continued() const;
 
   /// Calls `visit(number, Direction, Cell)` for each unknown, in their order.

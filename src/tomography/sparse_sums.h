@@ -10,9 +10,9 @@ namespace sfw {
 
 /// Product with a sparse matrix of zeros and ones: each result is the sum of some of the terms.
 ///
-/// Made for many products with one matrix. Indices of 16 bits halve the memory traffic. Sums of
-/// equally many terms are stored together, because loops of unpredictable length take twice as long
-/// (doc/results/own_code.md).
+/// It is fast for many products with one matrix. Indices of 16 bits halve the memory traffic. Sums
+/// of equally many terms are stored together, because loops of unpredictable length take twice as
+/// long (doc/results/own_code.md).
 class SparseSums {
  public:
   /// The ones of the matrix: term[i] is added to sum[i], in this order.

@@ -25,10 +25,10 @@ TrainingCells drawTrainingCells(const TrainingDrive& drive, const Config& config
 /// Fits a belief model to labelled cells.
 ///
 /// The distribution of each style is fitted to the drives simulated in it. Each expert is then
-/// fitted to all drives, weighted by its share in them: a stretch along walls may look like a
-/// patrol, so the expert of patrols must know such stretches too. The fit is a logistic regression
-/// with a ridge of 100 on standardised features, by Newton's method. Deterministic. O(cells) for
-/// each iteration.
+/// fitted to all drives, weighted by its share in them. A stretch along walls may look like a
+/// patrol, so the expert of patrols must be fitted to such stretches too. The fit is a logistic
+/// regression with a ridge of 100 on standardised features, by Newton's method. Deterministic.
+/// O(cells) for each iteration.
 /// @throw std::invalid_argument if a style has fewer than five drives, or cells and their states
 ///        differ in number.
 BeliefModel fitBeliefModel(const std::vector<TrainingCells>& drives);

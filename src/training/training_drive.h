@@ -21,12 +21,11 @@ struct TrainingDrive {
 
 /// Simulates a drive through a building, as varied as real drives (doc/method/belief.md).
 ///
-/// - up to three rectangles are cut out of the building, as if nobody could get in there;
+/// - up to three rectangles are cut out of the building, as if they were inaccessible;
 /// - along walls and on patrols, furniture often stands in the way of the robot, not of the radio;
-/// - the robot is 1 to 15 cm in radius, as positions of small robots are known to reach that close
-///   to what a lidar calls a wall, and follows walls tightly or loosely, cutting corners; or it
-///   patrols; or it strolls, roaming around on the way, up to the walls; it covers all or a part of
-///   the building;
+/// - the robot has a radius of 1 to 15 cm, because small robots come that close to the walls of a
+///   lidar's map. It follows walls tightly or loosely and cuts corners, or it patrols, or it
+///   strolls up to the walls. It covers all or a part of the building;
 /// - the radio is `realistic`, seldom `moderate` or `hard`, with walls of 2 to 11 dB, and 1 to 5
 ///   access points.
 ///

@@ -17,7 +17,7 @@ void cutOut(FloorPlan& plan, Random& random);
 void furnish(FloorPlan& plan, Random& random);
 
 /// Changes a route as a person would steer it: way points are left out or displaced, and corners
-/// cut.
+/// are cut.
 /// @param clearance_m  to everything that is not free
 std::vector<Position> withHumanSteering(const std::vector<Position>& route, const FloorPlan& plan,
                                         double clearance_m, Random& random);

@@ -15,9 +15,9 @@ struct BenchRun {
   std::string directory;     ///< keeps finished recordings
 };
 
-/// Runs the recordings of the suite and reuses those that the directory holds already: of the same
-/// plan, level, path, seed, access points, methods, settings and program. The report depends only
-/// on the run, not on its workers or interruptions.
+/// Runs the recordings of the suite. Reuses a result of the directory if plan, level, path, seed,
+/// access points, methods, settings and program are the same. The report depends only on the run,
+/// not on its workers or interruptions.
 /// @throw InputError if the suite or the settings are unusable; std::system_error if results cannot
 /// be kept. The error of a single recording becomes a failure in the report.
 BenchReport runBench(const BenchRun& run);

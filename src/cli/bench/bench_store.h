@@ -14,7 +14,7 @@ std::uint64_t hashOf(const std::string& bytes, std::uint64_t seed = 0xcbf29ce484
 /// The hash of a plan's cells and geometry, independent of its file.
 std::uint64_t hashOf(const FloorPlan& plan);
 
-/// The hash of the running program, which holds the whole mapper: another build may give other
+/// The hash of the running program, which contains the whole mapper. Another build may give other
 /// metrics.
 std::uint64_t hashOfProgram();
 

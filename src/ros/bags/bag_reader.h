@@ -9,10 +9,10 @@
 
 namespace sfw {
 
-/// The name in a bag of each input's topic (forEachInput).
+/// The topic name of each input in a bag (forEachInput).
 using BagTopics = std::map<std::string, std::string>;
 
-/// The inputs that bags have, each under the name that the nodelet gives it.
+/// The inputs of bags, each under its name in the nodelet.
 BagTopics defaultBagTopics();
 
 /// Counts the observations of a bag.

@@ -34,33 +34,33 @@ struct Observation {
   std::variant<UnlocatedReading, UnlocatedContacts> content;
 };
 
-/// The observations of a message, and those that cannot be used.
+/// The usable observations of a message, and a count of the others.
 struct Conversion {
   std::vector<Observation> observations = {};
   std::size_t rejected = 0;  ///< readings or clouds left out
   std::string problem = {};  ///< of the message, in words; empty if there is none
 };
 
-/// The facts that a conversion needs beside the message.
+/// The inputs of a conversion besides the message.
 struct InputContext {
   ros::Time received;  ///< replaces a missing stamp
   std::string antenna_frame;
   double footprint_radius_m = 0.0;
 };
 
-/// Takes each reading of a scan at its own time: stamp minus age.
+/// Converts the readings of a scan. The time of each reading is the stamp minus its age.
 Conversion convertScan(const structure_from_wifi::WifiScan& scan, const InputContext& context);
 
-/// Takes the link's signal strength at the time of arrival; a radio that is not associated has
-/// none.
+/// Converts the signal strength of a link, at the time of arrival. A radio that is not associated
+/// has none.
 Conversion convertConnection(const wireless_msgs::Connection& connection,
                              const InputContext& context);
 
-/// Takes a bumper without direction as pressed ahead of the antenna, at the robot's rim.
+/// Converts a bumper without direction to a contact ahead of the antenna, at the robot's rim.
 Conversion convertContact(const std_msgs::Bool& contact, const InputContext& context);
 
-/// Takes the points of a bumper's cloud within 2 m: such nodes put bumpers that are not pressed far
-/// away.
+/// Converts the points of a bumper's cloud within 2 m. Nodes with such clouds publish distant
+/// points for bumpers that are not pressed.
 Conversion convertContactPoints(const sensor_msgs::PointCloud2& cloud, const InputContext& context);
 
 /// A type of input: its topic, message and conversion.

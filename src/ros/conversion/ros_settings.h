@@ -15,10 +15,10 @@ namespace sfw {
 /// Settings that only the ROS side of mapping has: the group `ros` in config/mapping.yaml.
 struct RosSettings {
   std::string map_frame = "map";            ///< of the map and the access points
-  std::string antenna_frame = "base_link";  ///< whose position a reading has
+  std::string antenna_frame = "base_link";  ///< whose position is that of a reading
   std::string odom_frame = "odom";          ///< readings follow it when the past is corrected
   double jump_distance_m = 0.1;             ///< a larger correction of odom_frame moves the past
-  double jump_angle_rad = 0.05;             ///< likewise
+  double jump_angle_rad = 0.05;             ///< a larger turn of odom_frame moves it too
   double publish_rate_hz = 1.0;             ///< upper limit of map updates
   double transform_timeout_s = 5.0;         ///< how long a scan waits for its transform
   double tf_cache_s = 30.0;                 ///< how long transforms are kept
@@ -51,11 +51,11 @@ struct MappingSettings {
   std::vector<std::string> warnings;  ///< unknown names, each with the nearest known one
 };
 
-/// Reads settings over the defaults. The key `access_points` is left to readAccessPoints.
+/// Reads settings over the defaults. readAccessPoints reads the key `access_points`.
 /// @throw InputError naming every setting of the wrong type and every problem of validate().
 MappingSettings mappingSettingsFromYaml(const YAML::Node& node);
 
-/// As mappingSettingsFromYaml, from a file.
+/// Reads settings as mappingSettingsFromYaml does, from a file.
 /// @throw InputError naming the file, also if it cannot be read or parsed.
 MappingSettings readMappingSettings(const std::string& file);
 

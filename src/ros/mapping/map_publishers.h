@@ -15,7 +15,7 @@
 
 namespace sfw {
 
-/// A snapshot, the findings about its data, and the grid published of it.
+/// A snapshot, the results of its checks, and its published grid.
 struct PublishedMap {
   std::shared_ptr<const Snapshot> snapshot;
   DataFindings findings;
@@ -24,7 +24,7 @@ struct PublishedMap {
 
 /// Publishes maps on all topics of the mapping nodelet, all latched.
 ///
-/// OctoMaps are only made for subscribers: they cost more than the rest together.
+/// OctoMaps are made for subscribers only, because they cost more than all other messages together.
 /// One thread publishes at a time; any thread may call last().
 class MapPublishers {
  public:

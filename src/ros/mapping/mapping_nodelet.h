@@ -62,7 +62,7 @@ class MappingNodelet : public nodelet::Nodelet {
   // In the manager's threads.
   template <class Message>
   void receive(const Input<Message>& input, const Message& message);
-  /// Warns, on a timer, until the first reading comes.
+  /// Warns, on a timer, until the first reading arrives.
   void warnNoInput();
 
   /// Answers the service calls in a queue, with steps in between, until the nodelet ends.
@@ -76,14 +76,14 @@ class MappingNodelet : public nodelet::Nodelet {
 
   // In the mapping thread.
   void stepMapping();
-  /// A map, its data, and the findings about them.
+  /// A map, its data, and the results of its checks.
   struct Mapping {
     SharedMapper::Copy copy;
     std::shared_ptr<const Snapshot> snapshot;  ///< nullptr if the nodelet stops
     DataFindings findings;
   };
   enum class Checks { kChanged, kAll };
-  /// Makes a map, checks its data, and publishes both unless a reset came in between.
+  /// Makes a map, checks its data, and publishes both unless a reset occurred meanwhile.
   Mapping publishMap(Checks checks);
   /// Logs each fault once, until the next reset.
   void reportFaults(const std::vector<MapNote>& notes);
@@ -91,7 +91,7 @@ class MappingNodelet : public nodelet::Nodelet {
   bool saveMap(const structure_from_wifi::SaveMap::Request& request,
                structure_from_wifi::SaveMap::Response& response);
 
-  // In both.
+  // In both threads.
   void locateObservations();
   void warnOfLosses(const ObservationQueue::Outcome& outcome);
 
@@ -117,10 +117,10 @@ class MappingNodelet : public nodelet::Nodelet {
   DataChecker checker_;  // in the mapping thread only, as the next member
   std::set<std::pair<MapNote::Kind, std::string>> reported_faults_;  // since the last reset
   std::atomic<bool> clear_reported_{false};
-  std::atomic<bool> received_{false};  // a message of a radio
+  std::atomic<bool> received_{false};  // whether a message of a radio has arrived
   ros::SteadyTimer no_input_timer_;
-  std::optional<OdometryCorrection> last_map_correction_;  // tf's latest when a map was made
-  std::atomic<bool> changed_{false};                       // since the last map was made
+  std::optional<OdometryCorrection> last_map_correction_;  // tf's at the last map
+  std::atomic<bool> changed_{false};                       // since the last map
   std::atomic<bool> stop_{false};
   std::thread locating_thread_, mapping_thread_;
 };

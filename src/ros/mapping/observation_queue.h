@@ -39,8 +39,8 @@ class ObservationQueue {
 
   using Sink = std::function<void(const LocatedObservation&)>;
 
-  /// Passes on each observation that tf can locate by now, and drops those that are too old or have
-  /// waited too long, as one with a stamp in the future does.
+  /// Passes on each observation that tf can locate. Drops observations that are too old or have
+  /// waited too long. An observation with a stamp in the future waits until it is dropped.
   /// @param now  of the clock of the stamps; with zero, an unknown time, nothing expires
   Outcome locate(const tf2::BufferCore& transforms, const ros::Time& now, const Sink& sink);
 

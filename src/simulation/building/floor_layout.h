@@ -45,8 +45,8 @@ enum class Axis { kX, kY };
 /// Random whole numbers for layouts that are the same on every machine, unlike those of
 /// std::uniform_int_distribution.
 ///
-/// Layouts keep this generator beside Random (base/random.h): another one would draw another
-/// building from each seed, and no drive of an earlier release could be repeated.
+/// Layouts use this generator, not Random (base/random.h). Another generator would draw another
+/// building from each seed. Then drives of earlier releases could not be repeated.
 class PortableRandom {
  public:
   explicit PortableRandom(std::uint64_t seed) : engine_(seed) {}

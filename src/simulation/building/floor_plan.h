@@ -20,9 +20,10 @@ Grid<CellState> toStates(const FloorPlan& plan);
 /// The outside is everything beyond the grid, and the unknown cells connected with it over their
 /// edges. Unknown cells that walls enclose (a shaft, a cupboard) are inside. A wall cell is outer
 /// if the outside begins within 0.5 m of it, unless it lies in a gap of at most 0.4 m between free
-/// cells. So an interior wall stays interior up to the façade that it meets. Free specks that are
-/// nowhere 0.4 m wide, as scanners leave them behind windows, are ignored.
-/// Exact to a cell or two where walls meet and at the tips of corners. Linear in cells.
+/// cells. So an interior wall stays interior up to the façade that it meets. Free specks narrower
+/// than 0.4 m everywhere are ignored; scanners leave such specks behind windows.
+/// The result may be wrong by one or two cells where walls meet and at the tips of corners. Linear
+/// in cells.
 FloorPlan withMaterials(const Grid<CellState>& states);
 
 }  // namespace sfw

@@ -16,8 +16,8 @@ struct FloorPlanOptions {
 /// Every problem of the options, one sentence each that starts with the option's name.
 std::vector<std::string> validate(const FloorPlanOptions& options);
 
-/// Reads a floor plan from a file of one of three kinds. The ending of its name decides the kind,
-/// or else its content:
+/// Reads a floor plan from a file of one of three kinds. The extension decides the kind, or else
+/// the content:
 ///
 /// - HouseExpo JSON: `verts` is the outline of the free space [m]; walls are its slits and notches.
 ///   Cells whose centre is inside (even-odd) are free. Cells outside within 0.15 m of free cells,
@@ -26,8 +26,8 @@ std::vector<std::string> validate(const FloorPlanOptions& options);
 ///   multiples of the resolution, at least 0.5 m away from free space.
 /// - map_server YAML beside its PGM, trinary or scale, as readMap reads it.
 /// - PNG with options.metres_per_pixel, lower left corner at the map frame's origin. Pixels darker
-///   than middle grey are wall, transparent pixels are unknown. White that touches the image border
-///   is outside the building.
+///   than middle grey are wall, transparent pixels are unknown. White areas that touch the image
+///   border are outside the building.
 ///
 /// Walls get their materials from withMaterials.
 /// @throw InputError naming the file and what is wrong: unreadable, malformed, without free cells,

@@ -14,13 +14,13 @@ struct WallCrossing {
   Material material = Material::kInteriorWall;
 };
 
-/// The walls on the straight line between two points, in order. Each wall appears once, however
-/// thick it is.
+/// The walls on the straight line between two points, in order. Each wall appears once, whatever
+/// its thickness.
 ///
 /// A wall is a run of wall cells among the cells that Ray crosses. Two wall cells that meet in a
 /// corner leave no gap for a line through that corner. forwardKVisibility counts the same walls.
 /// The material of a wall is that of most of its crossed cells. A wall that contains an end of the
-/// line does not count. Unknown cells and everything outside the plan are no wall. The walls are
+/// line does not count. Unknown cells and everything outside the plan are not walls. The walls are
 /// the same in both directions. The ends must lie within the range of Ray. O(cells crossed).
 std::vector<WallCrossing> wallsBetween(const FloorPlan& plan, const Position& from,
                                        const Position& to);

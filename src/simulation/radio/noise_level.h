@@ -65,14 +65,14 @@ std::vector<std::string> noiseLevelNames();
 /// The names of all levels with their descriptions, for help texts.
 std::string noiseLevelHelp();
 
-/// A sentence for the user if a name is the old one of a level; nothing otherwise.
+/// A sentence for the user if a name is the old name of a level; otherwise nothing.
 std::optional<std::string> oldNoiseLevelWarning(std::string_view name);
 
 /// The settings of a recording on a level. Settings that a level does not have keep their defaults.
 /// @param seed  of the recording; it also draws from the level's ranges
 RecordingConfig recordingConfig(const NoiseLevel& level, std::int64_t seed);
 
-/// Only the radio of recordingConfig.
+/// The radio settings of recordingConfig alone.
 RadioModel::Config radioConfig(const NoiseLevel& level, std::int64_t seed);
 
 /// Clearance [m] between the robot's rim and the walls on a route along the walls.

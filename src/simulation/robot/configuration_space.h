@@ -44,7 +44,7 @@ class ConfigurationSpace {
   std::optional<Cell> middle() const;
 
   /// Whether a straight drive between two cells keeps a distance of `least` from every obstacle.
-  /// Exact. O(cells crossed), more where obstacles are about that near.
+  /// Exact. O(cells crossed), and more where obstacles are at about that distance.
   bool driveable(Cell from, Cell to, double least) const;
 
   /// Calls `visit(Cell, length)` for each cell that the robot can drive to from `c` in one step.
@@ -65,7 +65,7 @@ void ConfigurationSpace::forEachStep(Cell c, Visitor&& visit) const {
   for (std::int64_t y = -1; y <= 1; ++y) {
     for (std::int64_t x = -1; x <= 1; ++x) {
       const Cell next{c.x + x, c.y + y};
-      // A diagonal step passes between two cells: free for the robot if both of them are.
+      // A diagonal step passes between two cells. The robot can take it if both cells are free.
       if (next != c && contains(next) && contains({c.x, next.y}) && contains({next.x, c.y})) {
         visit(next, x != 0 && y != 0 ? kDiagonal : 1.0);
       }
@@ -73,7 +73,7 @@ void ConfigurationSpace::forEachStep(Cell c, Visitor&& visit) const {
   }
 }
 
-/// Finds the shortest drives over the cells of a space. It keeps memory for its searches; not
+/// Finds the shortest drives over the cells of a space. It reuses memory between searches. Not
 /// thread-safe.
 class PathFinder {
  public:

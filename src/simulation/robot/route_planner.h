@@ -35,14 +35,14 @@ std::vector<std::string> validate(const RoutePlannerConfig& config);
 /// `kWalls` follows the walls of each room and of larger obstacles in it at the clearance. It
 /// crosses rooms lengthwise, in lines at most 1.8 m apart. Then it visits places that are still
 /// farther than 0.9 m of driving from these lines. `kSparse` has a way point in the middle of each
-/// room, and more until no place is farther than about 3 m from one. Doors that the robot with its
-/// clearance does not fit through divide rooms. The robot finishes one room before the next, and
-/// the nearest room comes next. The planner is greedy: the drive is not the shortest one.
+/// room. It adds more until no place is farther than about 3 m from one. Doors that the robot with
+/// its clearance does not fit through divide rooms. The robot finishes one room before the next,
+/// and the nearest room comes next. The planner is greedy: the drive is not the shortest one.
 ///
 /// @return way points [m] from the start on, at least two, centres of cells; they pass requireFree
 /// with the robot's radius.
 /// @throw InputError naming every setting out of range, a start that is not free for the robot, or
-/// that the robot fits nowhere or cannot move.
+/// a robot that fits nowhere or cannot move.
 /// Deterministic. O(cells log cells) for each stroke of the drive, and mostly far less: searches
 /// end at the nearest stroke.
 std::vector<Position> planRoute(const Grid<CellState>& plan, RouteKind kind,

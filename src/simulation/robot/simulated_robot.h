@@ -19,10 +19,10 @@ struct DriveCommand {
 /// A round robot on two driven wheels, among walls that stop it.
 ///
 /// The robot drives arcs, in chords of at most 10 ms each. Each chord is checked exactly against
-/// the squares of all cells that are not free, the surroundings of the plan included. So no speed
-/// takes the robot into or through a wall. A wall stops the robot on the spot and sets its speed to
-/// zero: the robot does not slide along walls. It is round, so it can still turn and drive away.
-/// Not thread-safe.
+/// the squares of all cells that are not free, the surroundings of the plan included. So the robot
+/// never drives into or through a wall at any speed. A wall stops the robot on the spot and sets
+/// its speed to zero: the robot does not slide along walls. It is round, so it can still turn and
+/// drive away. Not thread-safe.
 class SimulatedRobot {
  public:
   struct Config {
