@@ -23,7 +23,7 @@ constexpr double kMarginM = 8.0;  // of the search beyond the path
 constexpr double kCoarseCellM = 0.5;
 constexpr double kMostCoarseCells = 2500.0;
 constexpr std::size_t kMostFineCells = 250;
-constexpr int kRefinements = 2;  // to an eighth of a metre: finer than any path is known
+constexpr int kRefinements = 2;  // to an eighth of a metre: finer than the accuracy of any path
 constexpr double kLargestDeviationM = 5.0;
 
 /// Cells are ignored if their log likelihood is this much below the best one.
@@ -38,7 +38,7 @@ constexpr double kSuspectRatio = 6.0;
 constexpr double kSuspectDistanceM = 1.5;
 
 /// Variance of a reading about its bin's mean [dB2]. Differences of successive readings would give
-/// it too, but the order of the readings must not matter.
+/// it too. But the order of readings must not matter.
 double noiseWithinBins(const std::vector<Sample>& samples, const std::vector<RadioBin>& bins) {
   constexpr double kUsualDb2 = 9.0;
   constexpr double kReadings = 2.0;          // weight of the usual noise, as a number of readings
@@ -54,7 +54,7 @@ double noiseWithinBins(const std::vector<Sample>& samples, const std::vector<Rad
   return std::max(kLeastNoiseDb2, sum / freedom);
 }
 
-/// Bins of at least 0.4 m, larger ones where there would be more than kMostBins.
+/// Bins of at least 0.4 m. They are larger if there would be more than kMostBins.
 AccessPointBins coarseBins(std::vector<Sample> samples, std::optional<double> height_m) {
   std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) {
     return std::make_tuple(a.antenna_in_map.x(), a.antenna_in_map.y(), a.rssi_dbm) <

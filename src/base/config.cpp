@@ -52,7 +52,8 @@ void check(const Config::Path& config, Problems& problems) {
 void check(const Config::Belief& config, Problems& problems) {
   problems.probability("belief/free_threshold", config.free_threshold);
   problems.probability("belief/occupied_threshold", config.occupied_threshold);
-  // Cells are kept in steps of up to .016: thresholds that are closer let no cell be unknown.
+  // Probabilities are stored in steps of up to .016. With closer thresholds no cell could be
+  // unknown.
   constexpr double kLeastApart = 0.05;
   problems.require(!(config.free_threshold > config.occupied_threshold - kLeastApart + 1e-9),
                    "belief/free_threshold", config.free_threshold,

@@ -14,13 +14,13 @@ std::shared_ptr<MrptGrid> emptyGrid(const GridGeometry& geometry) {
   const char* const too_far = "geometry is too large or too far from the origin for MRPT";
   if (geometry.origin().cwiseAbs().maxCoeff() / geometry.resolution() >
       GridGeometry::kFarthestMap) {
-    throw std::invalid_argument(too_far);  // MRPT itself would fail otherwise, or not at all
+    throw std::invalid_argument(too_far);  // otherwise MRPT fails later, or not at all
   }
   auto grid = std::make_shared<MrptGrid>(
       static_cast<float>(box.min().x()), static_cast<float>(box.max().x()),
       static_cast<float>(box.min().y()), static_cast<float>(box.max().y()),
       static_cast<float>(geometry.resolution()));
-  // MRPT derives the size from extents in float; it must come out as ours.
+  // MRPT calculates the size from extents in float. It must equal our size.
   if (grid->getSizeX() != geometry.width() || grid->getSizeY() != geometry.height()) {
     throw std::invalid_argument(too_far);
   }
@@ -35,8 +35,8 @@ std::shared_ptr<MrptGrid> gridOf(const Grid<float>& occupied) {
     MrptGrid::cellType* row = grid->getRow(static_cast<int>(y));
     for (std::int64_t x = 0; x < geometry.width(); ++x) {
       const float p = occupied[Cell{x, y}];
-      // MRPT stores the probability of free space. It reads outside its tables for anything but a
-      // probability, NaN included.
+      // MRPT stores the probability of free space. It reads outside its tables for any other
+      // number, NaN included.
       const bool valid = p >= 0.0F && p <= 1.0F;
       row[x] = MrptGrid::p2l(valid ? 1.0F - p : 0.5F);
     }

@@ -129,8 +129,8 @@ BeliefModel::Style BeliefModel::styleVector(const PathStyle& style) {
 }
 
 StyleShares BeliefModel::shares(const PathStyle& style) const {
-  // A mixture fits no style: one is chosen, with a short passage between two so that a growing path
-  // changes the map gently.
+  // A mixture of experts fits no style, so one expert is chosen. A short transition between two
+  // experts lets a growing path change the map gradually.
   constexpr double kIgnored = 0.25;
   StyleShares densities{};
   std::transform(experts_.begin(), experts_.end(), densities.begin(),

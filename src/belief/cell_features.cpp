@@ -111,7 +111,7 @@ class CellFeatureExtractor {
             depthOf([&] { return withHolesFilled(close(path, 2.4)); })};
   }
 
-  /// Depth in a set that is not made if everything shall stop.
+  /// Depth in a set. The set is not made after a stop.
   template <class MakeSet>
   Values depthOf(MakeSet&& make) const {
     const Mask set = stop_ ? Mask(geometry_) : make();
@@ -176,7 +176,7 @@ class CellFeatureExtractor {
   Mask footprint_;
   DepthGrids disc_depth_, square_depth_;
   RayEvidence rays_;
-  Values strength_beside_;  // mean wall strength around
+  Values strength_beside_;  // mean strength of walls around
   ShortestPaths paths_;
   Values alignment_;
   PathStyle style_;

@@ -18,8 +18,8 @@ constexpr float kMargin = 0.02F;
 /// odds there.
 constexpr float kFreeMargin = 0.015F;
 
-/// An island in a free area becomes free if none of its cells is more doubtful than this many times
-/// the threshold: hardly more doubtful than the free cells around.
+/// An island in a free area becomes free if every cell's probability is below this many times the
+/// threshold. Such cells are hardly more doubtful than the free cells around.
 constexpr float kIslandDoubt = 1.4F;
 
 /// Keeps only the parts of a set that are connected with the seeds over edges.

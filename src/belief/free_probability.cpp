@@ -11,7 +11,7 @@
 namespace sfw {
 namespace {
 
-/// Cells of a line along an axis of the building share evidence within this distance [m], because
+/// Cells on a line along an axis of the building share evidence within this distance [m], because
 /// walls are straight.
 constexpr double kStraightReach = 0.6;
 
@@ -23,7 +23,8 @@ constexpr float kLineWeight = 0.7F;
 /// The registration of path and map is uncertain by this much, which blurs the map [m].
 constexpr double kBlur = 0.1;
 
-/// Log odds of a probability, limited so that no cell is too sure however many features agree.
+/// Log odds of a probability. The limits keep a cell from too much certainty if many features
+/// agree.
 float limitedLogOdds(double probability) {
   constexpr double kLeast = 1e-4;
   return static_cast<float>(logit(std::clamp(probability, kLeast, 1.0 - kLeast)));

@@ -10,9 +10,9 @@ namespace sfw {
 namespace {
 
 /// The belief model trusts walls within these limits of the explained variance. The lower one is a
-/// little above the median of the training drives (.5); one of ten or twenty of them passes the
-/// upper one. Signals with wrong positions explain too little, and then the model would doubt the
-/// path too. Few readings of many walls explain too much.
+/// little above the median of the training drives (.5). One in ten or twenty of these drives passes
+/// the upper one. Signals with wrong positions explain too little, and then the model would doubt
+/// the path too. Few readings of many walls explain too much.
 constexpr ExplainedVarianceLimits kTrustedVariance{0.55, 0.7};
 
 /// Interpolates linearly between the centres of the four nearest cells; `outside` stands for cells
@@ -43,8 +43,8 @@ Grid<float> onMap(const GridGeometry& geometry, const Grid<float>& values,
   return result;
 }
 
-/// The belief model speaks of free space, and a map of occupied space: this is the only place that
-/// changes from the one to the other.
+/// The belief model gives probabilities of free space, and a map holds those of occupied space.
+/// Only this function converts between them.
 Grid<float> occupancyOnMap(const GridGeometry& geometry, const Grid<float>& free,
                            const BuildingFrame& frame) {
   Grid<float> occupied = onMap(geometry, free, frame, kUnknownOccupancy);

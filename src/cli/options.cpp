@@ -148,7 +148,7 @@ std::string Options::nearestName(const std::string& unknown) const {
 
 void Options::readValues() {
   namespace style = po::command_line_style;
-  // Without short options a value may start with a minus sign: --access-point -1.5,2.
+  // There are no short options, so a value may start with a minus sign: --access-point -1.5,2.
   const auto parsed =
       po::command_line_parser(arguments_)
           .options(description_)

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kTolerance = 0.1;  // of walls [m]
 
-/// How a cell of the truth fares in the map.
+/// The agreement of map and truth in a cell.
 enum class Verdict { kFreeMissed, kFreeFound, kWallMissed, kWallFound, kWallFalse, kWallLost };
 
 struct Meaning {
@@ -25,7 +25,7 @@ constexpr Meaning kMeanings[] = {{Verdict::kFreeFound, {1.0, 1.0, 1.0}, "free"},
                                  {Verdict::kWallLost, {0.85, 0.10, 0.10}, "wall taken for free"},
                                  {Verdict::kWallFalse, {0.95, 0.60, 0.10}, "wall where free"}};
 constexpr Colour kPath{0.55, 0.45, 0.75};
-constexpr Colour kPanelPath{0.20, 0.50, 0.90};  // where it is not drawn over colours
+constexpr Colour kPanelPath{0.20, 0.50, 0.90};  // where the path covers no colours
 constexpr Colour kTrueWall{0.93, 0.55, 0.50};
 
 /// The map's states on the truth's cells.
@@ -38,7 +38,7 @@ Grid<CellState> onCellsOf(const GridGeometry& geometry, const Grid<CellState>& m
   return states;
 }
 
-/// Cells away from the next wall.
+/// Distance to the nearest wall [cells].
 Grid<double> toWalls(const Grid<CellState>& states) {
   Mask walls(states.geometry);
   for (std::size_t i = 0; i < states.cells.size(); ++i) {
@@ -78,7 +78,7 @@ class Comparison {
   const double reach_;  // [cells]
 };
 
-/// The known part of the truth, path and access points, with some air.
+/// The known part of the truth, the path and the access points, with a margin.
 Box shownArea(const EvaluationInput& input) {
   const GridGeometry& geometry = input.truth.geometry;
   Box area;

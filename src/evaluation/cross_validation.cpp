@@ -69,10 +69,10 @@ class Law {
     residual_ = bins.signals - bins.basis * law_;
   }
 
-  /// Predicted signals [dBm], without the losses of walls.
+  /// Predicted signals without the losses of walls [dBm].
   Eigen::VectorXd mean(const Bins& bins) const { return bins.basis * law_; }
 
-  /// What the nearest places have more than the law says [dB].
+  /// The excess of the signals at the nearest bins over the law [dB].
   double shadowing(const Position& place) {
     const auto& nearest = nearest_.nearest(place, kNeighbours);
     const auto size = static_cast<Eigen::Index>(nearest.size());

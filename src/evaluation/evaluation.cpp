@@ -37,7 +37,7 @@ double share(const Mask& set, const Mask& other) {
                     : static_cast<double>(count(both(set, other))) / static_cast<double>(whole);
 }
 
-/// As share, but nothing if the set is empty: for sets that the truth gives.
+/// As share, but nothing if the set is empty. It is for sets of the truth.
 std::optional<double> shareIfAny(const Mask& set, const Mask& other) {
   return count(set) == 0 ? std::nullopt : std::optional(share(set, other));
 }
@@ -99,7 +99,7 @@ MapMetrics metricsOfFree(const Mask& called_free, const EvaluationTruth& truth) 
   return metrics;
 }
 
-/// Probabilities of the compared cells by what the cells are in truth.
+/// Probabilities of the compared cells, by their true state.
 struct RatedCells {
   std::vector<double> free;
   std::vector<double> wall;

@@ -18,7 +18,7 @@ constexpr double kGrowth = 0.15;           // [m]
 constexpr double kWallReach = 2.0;         // [cells] from the free region to its walls
 constexpr double kMaxLatticeCells = 64e6;  // 400 m x 400 m; takes a few GB
 
-/// Whole cells within the truth; in double arithmetic, 43 x 0.05 / 0.05 are but 42.
+/// Counts the whole cells within the truth. In double arithmetic, 43 x 0.05 / 0.05 gives only 42.
 GridGeometry latticeOf(const GridGeometry& truth) {
   const auto cells = [&](std::int64_t side) {
     return std::floor(static_cast<double>(side) * truth.resolution() / kEvaluationResolutionM);
@@ -32,7 +32,7 @@ GridGeometry latticeOf(const GridGeometry& truth) {
           static_cast<std::int64_t>(height)};
 }
 
-/// @throw std::invalid_argument if a position cannot be that of anything in a building.
+/// @throw std::invalid_argument if a position cannot lie in a building.
 void requireUsable(const std::vector<Position>& positions, const char* name) {
   constexpr double kFar = 1e6;  // metres
   for (const Position& position : positions) {
@@ -72,7 +72,7 @@ Mask regionOf(const Mask& free, const std::vector<Position>& path) {
   return region;
 }
 
-/// Marks the cells between two, those nearest to the line, one for each step along its longer side.
+/// Marks the cells between two cells: the nearest to the line at each step along its longer side.
 void drawLine(Cell from, Cell to, Mask& mask) {
   const std::int64_t steps = std::max(std::abs(to.x - from.x), std::abs(to.y - from.y));
   for (std::int64_t i = 0; i <= steps; ++i) {
@@ -85,7 +85,8 @@ void drawLine(Cell from, Cell to, Mask& mask) {
   }
 }
 
-/// Positions off the lattice are drawn on its border, so that a path along it stays in one piece.
+/// Positions outside the lattice are drawn on its border, so that a path along the border stays
+/// connected.
 Mask drawPath(const GridGeometry& lattice, const std::vector<Position>& path) {
   Mask mask(lattice);
   std::optional<Cell> last;
@@ -104,7 +105,7 @@ Mask drawPath(const GridGeometry& lattice, const std::vector<Position>& path) {
 
 Mask drawRays(const GridGeometry& lattice, const std::vector<Position>& path,
               const std::vector<Position>& access_points) {
-  // Ray is exact only so far from the grid, and no signal reaches 10 km.
+  // Ray is exact only to this distance from the grid, and no signal reaches 10 km.
   const Position reach(1e4, 1e4);
   const Box near(lattice.box().min() - reach, lattice.box().max() + reach);
   Mask mask(lattice);

@@ -20,13 +20,13 @@ class TemporaryFile {
  public:
   explicit TemporaryFile(const std::string& target) : target_(target), name_(target + ".XXXXXX") {
     if (std::error_code error; std::filesystem::is_directory(target, error)) {
-      fail(target_, EISDIR);  // or it would only show when others are already replaced
+      fail(target_, EISDIR);  // otherwise the error would come after others are replaced
     }
     descriptor_ = mkstemp(name_.data());
     if (descriptor_ < 0) {
       fail(target_, errno);
     }
-    // mkstemp makes it private; a map is as readable as any other file.
+    // mkstemp makes the file private. A map must be as readable as other files.
     const mode_t mask = umask(0);
     umask(mask);
     fchmod(descriptor_, 0666 & ~mask);

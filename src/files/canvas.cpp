@@ -16,10 +16,11 @@ constexpr double kLeastWidth = 520.0;  // so that the footer fits [px]
 constexpr double kTextSize = 15.0;     // [px]
 constexpr Colour kInk{0.15, 0.15, 0.18};
 
-// Panels are drawn larger than a page shows them, so that thin walls and small letters survive.
+// Panels are drawn larger than their size on a page, so that thin walls and small letters stay
+// visible.
 namespace panel {
 constexpr double kWidth = 388.0;   // [px]
-constexpr double kHeight = 440.0;  // most [px]
+constexpr double kHeight = 440.0;  // largest [px]
 constexpr double kGap = 16.0;      // between and around them [px]
 constexpr double kHead = 62.0;     // for title and note [px]
 constexpr double kFooter = 44.0;   // [px]
@@ -129,7 +130,7 @@ double Canvas::textWidth(const std::string& text) const {
 }
 
 void Canvas::drawLabel(const std::string& text, const Position& at_pixels) {
-  // A light rim keeps it readable on any ground.
+  // A light rim keeps the text readable on any background.
   cairo_move_to(context_.get(), at_pixels.x(), at_pixels.y());
   cairo_text_path(context_.get(), text.c_str());
   setColour(kFree);
@@ -166,7 +167,7 @@ void Canvas::drawLegend(const std::vector<LegendEntry>& legend, double first_row
       cairo_rectangle(context_.get(), x, top, kBox, kBox);
     }
     cairo_fill_preserve(context_.get());
-    if (one_row_) {  // white shows on white
+    if (one_row_) {  // keeps white visible on white
       setColour(kInk);
       cairo_set_line_width(context_.get(), 1.0);
       cairo_stroke(context_.get());
@@ -178,7 +179,7 @@ void Canvas::drawLegend(const std::vector<LegendEntry>& legend, double first_row
 }
 
 void Canvas::drawScaleBar(double top) {
-  // The longest round length that takes no more than a third of the width.
+  // The longest round length of at most a third of the width.
   const double most = (one_row_ ? map_width_ : width_) / 3;
   double metres = 1.0;
   for (const double longer : {2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0}) {

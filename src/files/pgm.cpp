@@ -71,7 +71,7 @@ GreyImage readPgm(const std::string& file) {
   image.height = text.number(1, kMaxSide);
   const long deepest = text.number(1, 255);
   const auto count = static_cast<std::size_t>(image.width * image.height);
-  // Before anything is allocated: each pixel takes at least a byte of the file.
+  // Checked before any allocation: each pixel takes at least a byte of the file.
   if (bytes.size() < count) {
     throw InputError(file + ": the image is cut short");
   }
@@ -85,7 +85,7 @@ GreyImage readPgm(const std::string& file) {
     } else {
       throw InputError(file + ": the image is cut short");
     }
-    // P5 can hold values that its own header rules out.
+    // P5 can hold values that its own header excludes.
     image.pixels[i] = static_cast<std::uint8_t>(std::min(value, deepest) * 255 / deepest);
   }
   return image;

@@ -103,7 +103,7 @@ std::optional<Fault> readNumber(const Table& table, std::size_t column, const st
 
 /// Reads x from the given column and y from the next one.
 std::optional<Fault> readPosition(const Table& table, std::size_t x, Position& position) {
-  constexpr double kFar = 1e6;  // metres; nothing beyond is a building
+  constexpr double kFar = 1e6;  // metres; no building reaches farther
   std::optional<Fault> fault = readNumber(table, x, "x", -kFar, kFar, position.x());
   if (!fault) {
     fault = readNumber(table, x + 1, "y", -kFar, kFar, position.y());
@@ -117,7 +117,7 @@ std::optional<Fault> readPlace(const Table& table, std::int64_t& stamp_ns, Posit
   if (fault) {
     return fault;
   }
-  // A double holds seconds of today only to a quarter of a microsecond.
+  // A double holds present-day stamps in seconds only to a quarter of a microsecond.
   const std::optional<std::int64_t> exact_ns = parseNanoseconds(table.field(0));
   stamp_ns = exact_ns ? *exact_ns : std::llround(stamp_s * 1e9);
   return readPosition(table, 1, position);

@@ -24,8 +24,8 @@ SettingsTree::SettingsTree(const YAML::Node& tree) {
   flatten(tree, "");
 }
 
-/// Settings have two parts at most. A deeper value belongs to no setting, and may be endless, since
-/// a YAML alias can hold itself.
+/// Settings have two parts at most. A deeper value belongs to no setting. It may be endless, since
+/// a YAML alias can contain itself.
 void SettingsTree::flatten(const YAML::Node& node, const std::string& path) {
   if (!node.IsMap() || path.find('/') != std::string::npos) {
     values_[path] = node;
@@ -73,7 +73,7 @@ std::string SettingsTree::nearest(const std::string& name) const {
   std::string nearest;
   std::size_t least = std::string::npos;
   for (const std::string& known : known_) {
-    // The user may have left out the group.
+    // The group may be missing.
     const std::size_t distance =
         std::min(editDistance(name, known), editDistance(name, lastPart(known)));
     if (distance < least) {

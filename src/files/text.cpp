@@ -23,7 +23,7 @@ bool isDigits(std::string_view text) {
   return text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-/// Nothing if the text has other characters than digits, or more than 63 bits hold.
+/// Nothing if the text has other characters than digits, or if the number needs more than 63 bits.
 std::optional<std::int64_t> parseDigits(const std::string& text) {
   std::int64_t number = 0;
   const char* const end = text.data() + text.size();

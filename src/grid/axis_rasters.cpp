@@ -79,7 +79,7 @@ Mask closedWithSquare(const Mask& set, std::int64_t reach) {
     const Grid<float> mean = boxMean(values, reach);
     Mask result(geometry);
     for (std::size_t i = 0; i < mean.cells.size(); ++i) {
-      // A sum of ones: below a half it is none, whatever the rounding.
+      // The sum consists of ones. Below a half it is zero in spite of rounding.
       const auto window = static_cast<float>((2 * reach + 1) * (2 * reach + 1));
       result.cells[i] = mean.cells[i] * window > 0.5F ? 1 : 0;
     }

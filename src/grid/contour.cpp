@@ -17,12 +17,12 @@ Cell step(Cell c, unsigned heading) {
   return {c.x + kHeadings[heading].x, c.y + kHeadings[heading].y};
 }
 
-/// Walks along the borders of a set, which are always to the right.
+/// Walks along the borders of a set. The border is always to the right.
 class BorderWalk {
  public:
   explicit BorderWalk(const Mask& mask) : mask_(mask), walked_(mask.geometry) {}
 
-  /// Whether a cell has a border to the right of a heading that was not walked yet.
+  /// Whether a cell has a border to the right of a heading, and the walk has not passed it yet.
   bool starts(Cell c, unsigned heading) const {
     return in(c) && !in(step(c, rightOf(heading))) && (walked_[c] >> heading & 1u) == 0;
   }
@@ -46,7 +46,7 @@ class BorderWalk {
       }
     }
     if (cells.size() > 1) {
-      cells.pop_back();  // back at the first
+      cells.pop_back();  // it is back at the first cell
     }
     return cells;
   }

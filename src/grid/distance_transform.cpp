@@ -68,7 +68,7 @@ class RowEnvelope {
 
   void add(std::int64_t x) {
     if (!vertex_.empty() && vertex_.back() == x - 1 && start_.back() < x && g_[x] == g_[x - 1]) {
-      vertex_.push_back(x);  // as below, without the division: most cells are of this kind
+      vertex_.push_back(x);  // as below, without the division; most cells are like this
       start_.push_back(x);
       return;
     }
@@ -79,8 +79,8 @@ class RowEnvelope {
     }
     std::int64_t start = 0;
     if (!vertex_.empty()) {
-      // The last whole x at which the piece before is not above; the division cannot be of a
-      // negative number, as that piece is not above at its own start.
+      // The division gives the last whole x at which the previous piece is not above. Its dividend
+      // is not negative, because that piece is not above at its own start.
       const std::int64_t before = vertex_.back();
       start = 1 + (parabola(0, x) - parabola(0, before)) / (2 * (x - before));
     }

@@ -29,7 +29,7 @@ Lattice latticeAround(const Box& box, double resolution_m, double step_m) {
   const double step = cells_a_step * resolution_m;
   Position first = (box.min() / step).array().floor();
   Position last = (box.max() / step).array().floor() + 1.0;
-  // Rounding must not leave a corner outside that lies on a step's border.
+  // Rounding must not exclude a corner on a step's border.
   constexpr double kRounding = 1e-9;  // [steps]
   for (int axis = 0; axis < 2; ++axis) {
     first[axis] -= first[axis] * cells_a_step * resolution_m > box.min()[axis] ? 1.0 : 0.0;

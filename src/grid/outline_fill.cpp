@@ -22,8 +22,9 @@ std::vector<std::vector<double>> crossings(const std::vector<Position>& outline,
     if (a[across] > b[across]) {
       std::swap(a, b);
     }
-    // The lower end belongs to an edge and the upper does not: a vertex on a line counts once
-    // where the outline passes through it, and twice or never where it turns back.
+    // The lower end belongs to an edge and the upper end does not. So a vertex on a line counts
+    // once where the outline passes through it. It counts twice or never where the outline turns
+    // back.
     const auto first = static_cast<std::size_t>(std::max(0.0, std::ceil(a[across] - 0.5)));
     for (std::size_t line = first; line < at.size(); ++line) {
       const double centre = static_cast<double>(line) + 0.5;
@@ -53,7 +54,7 @@ void fillRows(const std::vector<Position>& outline, Grid<CellState>& cells) {
   }
 }
 
-/// Between two stretches of inside: a wall. If no centre lies in it, it would be lost.
+/// A wall lies between two inner stretches. Without a centre in it, it would be lost.
 void keepThinWalls(const std::vector<Position>& outline, Lines lines, Grid<CellState>& cells) {
   const std::vector<std::vector<double>> all = crossings(outline, cells.geometry, lines);
   for (std::size_t line = 0; line < all.size(); ++line) {

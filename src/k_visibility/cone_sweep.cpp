@@ -50,7 +50,7 @@ struct ConeSweep::Crossing {
   /// Passes change(), and gives the count of the one ray that goes exactly through it.
   ///
   /// At a lattice corner a ray steps diagonally, away from the access point's column. Two walls
-  /// that meet in the corner leave no gap to slip through.
+  /// that meet in the corner leave no gap for a ray.
   WallCount through(WallCount count) {
     const std::int64_t corner = change();
     const bool out_below = out.isWall(), in_below = in.isWall();
@@ -83,7 +83,7 @@ void ConeSweep::writeTo(Grid<std::uint8_t>& counts) {
   const std::int64_t nearest = sign_ > 0 ? 0 : rows_ - 1;
   const bool starts_inside = source_row >= 0 && source_row < rows_;
   if (!starts_inside && (source_row < nearest) != (sign_ > 0)) {
-    return;  // the grid lies behind
+    return;  // the grid lies behind the cone
   }
   const bool in_wall =
       starts_inside && isInWall(source_row, floorOfQuotient(source_across_, kCell));
@@ -95,7 +95,7 @@ void ConeSweep::writeTo(Grid<std::uint8_t>& counts) {
     std::swap(borders_, last_borders_);
     findBorders(row);
     const std::int64_t at = distance(row, sign_ > 0 ? 0 : kCell);
-    if (at > 0) {  // else it is the access point's own row
+    if (at > 0) {  // otherwise it is the access point's own row
       crossInto(at);
       dropRaysOutsideGrid(at);
     }
@@ -103,7 +103,8 @@ void ConeSweep::writeTo(Grid<std::uint8_t>& counts) {
   }
 }
 
-/// How far along the cone a place in a row is [sub-cells]; `offset` counts from its low border.
+/// The position of a line in a row along the cone [sub-cells]; `offset` counts from the row's low
+/// border.
 std::int64_t ConeSweep::distance(std::int64_t row, std::int64_t offset) const {
   return sign_ * (row * kCell + offset - source_along_);
 }
@@ -133,8 +134,8 @@ void ConeSweep::findBorders(std::int64_t row) {
   borders_.push_back(kNever);
 }
 
-/// All rays cross from the last row into the next at a distance. A ray is in at most two cells of a
-/// row: the one where it came in, and the one where it goes out here.
+/// All rays cross from the last row into the next at one distance. A ray is in at most two cells of
+/// a row: the cell where it enters, and the cell where it leaves.
 void ConeSweep::crossInto(std::int64_t at) {
   if (last_borders_.size() == 1 && borders_.size() == 1) {
     return;  // no walls

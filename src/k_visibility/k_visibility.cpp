@@ -92,7 +92,7 @@ Grid<CellState> denseInverseKVisibility(const Grid<std::uint8_t>& k_map,
     const Position end = geometry.origin() + geometry.resolution() * Position(x, y);
     followRay(k_map, Ray(geometry, access_point, end), walls_are_marked, between, plan);
   };
-  // Sixteen rays for each cell of the rim, so that hardly a wall cell is passed on both sides ...
+  // Sixteen rays go to each cell of the rim, so that rays miss hardly any wall cell.
   const auto width = static_cast<double>(geometry.width());
   const auto height = static_cast<double>(geometry.height());
   for (double x = 0.03125; x < width; x += 0.0625) {
@@ -103,7 +103,7 @@ Grid<CellState> denseInverseKVisibility(const Grid<std::uint8_t>& k_map,
     follow(0.5, y);
     follow(width - 0.5, y);
   }
-  // ... and those that the counts beside walls stand for.
+  // One more ray goes to each counted cell beside a cell without a count.
   forEachCell(geometry, [&](Cell c) {
     if (isCounted(k_map[c]) && bordersNoCount(k_map, c)) {
       follow(static_cast<double>(c.x) + 0.5, static_cast<double>(c.y) + 0.5);

@@ -11,14 +11,14 @@
 namespace sfw {
 namespace {
 
-constexpr double kRayCertainty = 0.95;  // no number of correlated rays says more than this
+constexpr double kRayCertainty = 0.95;  // limit for any number of correlated rays
 
 /// Wall counts to one access point in the cells that the path crosses.
 class PathCells {
  public:
   explicit PathCells(const GridGeometry& geometry) : sums_(geometry) {}
 
-  /// Enters a path; each cell gets the count of the nearer of the two poses around it.
+  /// Inserts a path. Each cell gets the count of the nearer of its two adjacent poses.
   void enter(const CountedPath& path, double max_gap_m) {
     for (std::size_t i = 0; i < path.poses.size(); ++i) {
       const CountedPose& from = path.poses[i];
@@ -88,7 +88,7 @@ void addSegment(const RaySegment& segment, const std::vector<Cell>& ray,
   const double weight = 1.0 / (length * length);
   const std::vector<double> mass =
       wallMass(cells, segment.walls, config.wall_thickness_m / resolution);
-  // A wall somewhere on the segment is never a reason to call one of its cells free (Rule 3).
+  // A wall somewhere on the segment is never evidence that one of its cells is free (Rule 3).
   const double least_mass = segment.walls > 0 ? config.wall_prior : 0.0;
   for (std::size_t i = 0; i < cells; ++i) {
     const Cell cell = ray[segment.begin + i];

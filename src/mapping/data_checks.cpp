@@ -45,8 +45,8 @@ DataFindings DataChecker::checkAll(const Snapshot& snapshot, const std::atomic<b
 DataFindings DataChecker::checkChanged(const Snapshot& snapshot, const std::atomic<bool>& stop) {
   checked_.resize(snapshot.access_points.size());
   ++round_;
-  // Of those that changed as much, the one with the oldest check comes first. Otherwise a path that
-  // is corrected again and again would always have the first ones of the table checked.
+  // Among access points with equal change, the one with the oldest check comes first. Otherwise
+  // repeated corrections of the path would always select the first ones of the table.
   std::vector<std::tuple<double, std::size_t, std::size_t>> due;
   for (std::size_t i = 0; i < checked_.size(); ++i) {
     const AccessPointSummary& summary = snapshot.access_points[i];
@@ -67,7 +67,8 @@ DataFindings DataChecker::checkChanged(const Snapshot& snapshot, const std::atom
   return changed;
 }
 
-/// The number of new readings over that at the last check; infinite if the old ones were replaced.
+/// The number of new readings over the number at the last check. It is infinite if the old readings
+/// were replaced.
 double DataChecker::changeOf(const Checked& checked, const std::vector<Sample>& samples) {
   constexpr double kAll = std::numeric_limits<double>::infinity();
   if (checked.readings == 0) {

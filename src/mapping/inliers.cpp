@@ -74,7 +74,7 @@ std::size_t poseAt(std::int64_t stamp_ns, const std::vector<PathPose>& path) {
 
 StrayPoses summaryOf(const std::vector<PathPose>& path, const std::vector<bool>& stray) {
   StrayPoses summary;
-  const PathPose* inlier = nullptr;  // the last one, or the first one before there is a last
+  const PathPose* inlier = nullptr;  // the last one, or the first one if there is no last yet
   for (std::size_t i = 0; i < path.size(); ++i) {
     if (!stray[i]) {
       inlier = &path[i];

@@ -144,7 +144,7 @@ void addNoteOnSignals(const Snapshot& snapshot, Notes& notes) {
                      "no access point with readings has a position: the map follows from the path "
                      "alone; add positions to the table of access points"});
   } else if (isOneStamp(snapshot)) {
-    return;  // there are few readings, and another note says why
+    return;  // there are few readings, and another note explains it
   } else if (readings < kFewReadings) {
     notes.push_back({MapNote::Kind::kTooLittle, "",
                      "only " + counted(readings, "reading is", "readings are") +
@@ -156,7 +156,7 @@ void addNoteOnSignals(const Snapshot& snapshot, Notes& notes) {
   }
 }
 
-/// A few such readings do no harm; and a robot may stand beside a strong access point.
+/// A few such readings do no harm. A robot may also stand beside a strong access point.
 void addNoteOnStrength(const Snapshot& snapshot, Notes& notes) {
   constexpr double kMany = 0.01;  // of all readings
   std::size_t readings = 0;
@@ -173,7 +173,7 @@ void addNoteOnStrength(const Snapshot& snapshot, Notes& notes) {
   }
 }
 
-/// An access point without readings may just be far away; its name says which one to look for.
+/// An access point without readings may simply be far away. The note gives its name.
 void addNoteOnSilence(const Snapshot& snapshot, Notes& notes) {
   constexpr std::size_t kMostNamed = 5;
   std::string names;
@@ -192,7 +192,7 @@ void addNoteOnSilence(const Snapshot& snapshot, Notes& notes) {
   }
 }
 
-/// On a position that is uncertain, or that contradicts the readings.
+/// Adds a note on a position that is uncertain or contradicts the readings.
 void addNoteOnPosition(const AccessPointSummary& summary, const AccessPointFit* fit, Notes& notes) {
   const std::string name = summary.access_point.bssid.str();
   if (summary.estimate && summary.estimate->ambiguous) {

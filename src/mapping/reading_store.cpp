@@ -12,11 +12,12 @@
 namespace sfw {
 namespace {
 
-/// Below the precision of any odometry and any radio, far above that of their arithmetic.
+/// These steps are finer than the precision of any odometry and radio, and far coarser than
+/// rounding.
 constexpr double kPositionSteps = 1e4;  // [1/m]
 constexpr double kRssiSteps = 1e2;      // [1/dB]
 
-/// The same number that reading it back from text gives.
+/// The number that text gives when it is read back.
 double rounded(double value, double steps) { return std::round(value * steps) / steps; }
 
 Position rounded(const Position& point) {
@@ -131,7 +132,7 @@ InsertResult ReadingStore::makeRoomFor(const Position& point) {
     holds_stray_room_ = false;
     result = reserve(point);
   }
-  // The point may be stray itself, or make others stray.
+  // The point may be stray itself, or make other poses stray.
   holds_stray_room_ = holds_stray_room_ || result == InsertResult::kAccepted;
   return result;
 }
@@ -245,7 +246,7 @@ void ReadingStore::dropWhatDoesNotFit() {
   keepIf([](const Position& point) {
     return point.allFinite() ? InsertResult::kAccepted : InsertResult::kPositionNotFinite;
   });
-  // Stray poses are decided on the whole corrected path, before any reading is dropped.
+  // Stray poses are found on the whole corrected path, before any reading is dropped.
   const Box extent = extentOf(inliers());
   reserved_extent_ = fits(extent) ? extent : least_extent_;
   keepIf([&](const Position& point) { return reserve(point); });

@@ -45,7 +45,7 @@ std::string probabilityPgm(const BeliefMap& belief) {
 
 void writeMapFiles(const Snapshot& snapshot, const Config& config, const std::string& directory,
                    const DataFindings& findings) {
-  // All files are encoded before the first is written, so an error leaves no trace.
+  // All files are encoded before the first is written, so an error leaves no new file.
   const BeliefMap& belief = snapshot.belief;
   std::vector<std::pair<std::string, std::string>> files{
       {directory + "/map.pgm", trinaryPgm(belief)},

@@ -10,7 +10,7 @@
 namespace sfw {
 namespace {
 
-/// The part of the map worth showing: known cells, path and access points, with some air.
+/// The part of the map in the picture: known cells, path and access points, with a margin.
 Box shownArea(const Snapshot& snapshot) {
   const GridGeometry& geometry = snapshot.belief.geometry();
   Box area;

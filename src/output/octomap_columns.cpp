@@ -15,25 +15,25 @@ constexpr int kDepth = 16;  // of every OctoMap: levels below the root
 constexpr std::int64_t kReach = 32768;
 constexpr unsigned kChildren = 8;
 
-/// OctoMap makes a root only together with a voxel at full depth.
+/// OctoMap can make a root only together with a voxel at full depth.
 class RootedTree : public octomap::OcTree {
  public:
   using octomap::OcTree::OcTree;
 
   Node* makeRoot() {
-    root = new Node();  // the tree's to delete
+    root = new Node();  // the tree deletes it
     ++tree_size;
     size_changed = true;
     return root;
   }
 };
 
-/// What the columns of a square block of cells have in common.
+/// The common properties of the columns of a square block of cells.
 struct Block {
   std::int32_t most = 0;   // layers
   std::int32_t least = 0;  // layers
   float log_odds = 0.0F;   // of the first column
-  bool alike = true;       // that all are of
+  bool alike = true;       // of all columns
 
   void join(const Block& other) {
     most = std::max(most, other.most);
@@ -58,7 +58,7 @@ class Blocks {
     }
   }
 
-  /// Of the block of 2^level cells a side with these numbers.
+  /// The summary of the block with these numbers, of 2^level cells a side.
   Block at(int level, std::int64_t x, std::int64_t y) const {
     const Grid<Block>& blocks = levels_[static_cast<std::size_t>(level)];
     const Cell c{x - (first_.x >> level), y - (first_.y >> level)};

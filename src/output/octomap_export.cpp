@@ -13,9 +13,9 @@
 namespace sfw {
 namespace {
 
-constexpr double kLeastCertain = 1e-4;  // probability that a certain voxel is not as it seems
+constexpr double kLeastCertain = 1e-4;  // probability that a certain voxel is wrong
 
-/// Voxels from the floor up that a height takes, at least one.
+/// The number of voxels from the floor to a height, at least one.
 std::int32_t layers(double height_m, double resolution_m) {
   const double whole = std::round(height_m / resolution_m);
   return static_cast<std::int32_t>(std::clamp(whole, 1.0, kOctomapReach + 1.0));
@@ -58,7 +58,8 @@ std::unique_ptr<octomap::OcTree> toOctomap(const BeliefMap& belief, const Config
     if (state == CellState::kUnknown) {
       return;
     }
-    // OctoMap knows no thresholds: its voxels are occupied from a half on, ours by their state.
+    // OctoMap has no thresholds. Its voxels are occupied from a half on; ours follow the state of
+    // the cell.
     constexpr float kLeast = 1.0F / 16.0F;  // a step of BeliefMap
     const float believed =
         std::clamp(octomap::logodds(belief.occupied(c)), octomap::logodds(kLeastCertain),
@@ -67,7 +68,7 @@ std::unique_ptr<octomap::OcTree> toOctomap(const BeliefMap& belief, const Config
                                                : Column{robot_layers, std::min(believed, -kLeast)};
   });
   auto tree = treeOfColumns(columns, latticeCell(geometry));
-  // OctoMap's own limits would round our certain cells towards doubt.
+  // OctoMap's own limits would make certain cells less certain.
   tree->setClampingThresMin(kLeastCertain);
   tree->setClampingThresMax(1.0 - kLeastCertain);
   return tree;

@@ -18,7 +18,7 @@ Json describe(const Config& config) {
     const std::string group = name.substr(0, slash);
     if (slash == std::string::npos) {
       settings[name] = value;
-    } else if (group != "ros") {  // where a map came from does not change it
+    } else if (group != "ros") {  // the origin of a map does not change it
       settings[group][name.substr(slash + 1)] = value;
     }
   });

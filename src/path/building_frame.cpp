@@ -10,7 +10,7 @@
 namespace sfw {
 namespace {
 
-/// Pieces are so long that the jitter of a pose hardly turns them.
+/// Pieces are long enough that the jitter of a pose hardly turns them.
 constexpr double kPiece = 0.4;  // [m]
 
 /// Random headings reach a concentration of about 1/sqrt(pieces). Below this limit headings are no
@@ -18,7 +18,7 @@ constexpr double kPiece = 0.4;  // [m]
 constexpr double kLeastConcentration = 0.15;
 constexpr double kRefinement = 8.0 * kPi / 180.0;
 
-/// Below this ratio of its axes an area has no long side.
+/// An area has no long side if the ratio of its axes is below this value.
 constexpr double kLeastElongation = 1.3;
 
 /// Maps an angle to [-pi/4, pi/4), because quarter turns look alike.

@@ -64,7 +64,7 @@ class SpreadPath {
   /// @param since_m  distance driven at which drift began
   void spread(std::size_t begin, std::size_t end, double since_m) {
     const OdometryCorrection& before = corrections_[begin - 1];
-    for (std::size_t i = begin; i < end; ++i) {  // tf may be half way there
+    for (std::size_t i = begin; i < end; ++i) {  // tf may be between the two transforms
       position_[i] = withoutJump(before, corrections_[i]);
       turn_[i] = -turnBetween(before, corrections_[i]);
     }
@@ -76,7 +76,7 @@ class SpreadPath {
     const double from_m = std::min(since_m, way_[end] - needed_m);
     const std::size_t first = lastBy(from_m, end);
     const auto share = [&](std::size_t i) {
-      const double length_m = way_[end] - from_m;  // 0 only if a jump came to nothing
+      const double length_m = way_[end] - from_m;  // 0 only if the jump is zero
       return length_m > 0.0 ? std::max(0.0, (way_[i] - from_m) / length_m) : 1.0;
     };
     const Position rigid = target + turned(turn_rad, position_[first] - arrival);

@@ -20,7 +20,7 @@ struct Piece {
 };
 
 std::vector<Piece> piecesOf(const std::vector<Position>& driven, double least_m, double max_gap_m) {
-  // Longer than any stretch over which pieces are compared.
+  // A gap: longer than any stretch over which pieces are compared.
   constexpr double kGapLength = 10.0;
   std::vector<Piece> pieces;
   double driven_m = 0.0;

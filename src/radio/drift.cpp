@@ -18,7 +18,7 @@ constexpr double kNoFartherM = 3.0;
 
 constexpr std::size_t kFewestReturns = 20;
 constexpr double kLeastChangeDb2 = 4.0;
-constexpr double kLargestStepDb = 15.0;  // one outlier must not decide
+constexpr double kLargestStepDb = 15.0;  // one outlier must not decide the result
 constexpr double kSuspectRatio = 0.55;   // chosen on simulated drives (doc/results/ablations.md)
 
 /// A short stretch of the path with the mean of its readings.
@@ -26,7 +26,7 @@ struct Stretch {
   Position position = Position::Zero();  // mean [m]
   double rssi_dbm = 0.0;                 // mean
   double readings = 0.0;
-  double driven_m = 0.0;  // until it begins
+  double driven_m = 0.0;  // up to its beginning
 };
 
 /// Distance driven until each sample [m]. Steps below 0.1 m are skipped, because the poses of a
@@ -73,7 +73,7 @@ struct Mean {
   double value() const { return count > 0.0 ? sum / count : 0.0; }
 };
 
-/// Squared differences between passes without the part that noise causes [dB2].
+/// Squared differences between passes, without the part of noise [dB2].
 struct Differences {
   Mean here;
   Mean nearby;

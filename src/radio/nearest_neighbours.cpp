@@ -22,7 +22,7 @@ NearestNeighbours::NearestNeighbours(const std::vector<Position>& positions)
     const auto count = static_cast<double>(positions.size());
     const Position size = box.sizes();
     least_ = box.min();
-    // The second bounds the number of cells where all positions lie on a line.
+    // The second value bounds the number of cells if all positions lie on a line.
     const double edge =
         kCellEdge * std::max(std::sqrt(size.prod() / count), size.maxCoeff() / count);
     edge_ = edge > 0.0 ? edge : 1.0;
@@ -69,7 +69,7 @@ void NearestNeighbours::lookInRing(std::int64_t x, std::int64_t y, std::int64_t 
   const std::int64_t bottom = std::max<std::int64_t>(y - ring, 0);
   const std::int64_t top = std::min(y + ring, height_ - 1);
   for (std::int64_t row = bottom; row <= top; ++row) {
-    // The lowest and highest rows are whole, the others have two ends.
+    // The lowest and highest rows are complete. The other rows have only their two end cells.
     if (row == y - ring || row == y + ring) {
       const std::int64_t right = std::min(x + ring, width_ - 1);
       for (std::int64_t column = std::max<std::int64_t>(x - ring, 0); column <= right; ++column) {
@@ -94,7 +94,7 @@ const std::vector<std::pair<double, int>>& NearestNeighbours::nearest(const Posi
       std::max({std::abs(x), std::abs(y), std::abs(width_ - 1 - x), std::abs(height_ - 1 - y)});
   for (std::int64_t ring = 0; ring <= last && count > 0; ++ring) {
     lookInRing(x, y, ring, to, count);
-    // All positions not seen yet are farther than this ring, except for rounding.
+    // All positions not visited yet are farther than this ring, except for rounding.
     constexpr double kRounding = 1e-6;
     const double seen = (static_cast<double>(ring) - kRounding) * edge_;
     if (found_.size() == count && seen > 0.0 && found_.back().first < seen * seen) {

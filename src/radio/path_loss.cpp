@@ -10,7 +10,7 @@ constexpr double kAntennaHeightM = 0.6;  // of a robot's antenna; no setting giv
 
 /// Sum of squared residuals of the best log-distance law after the losses are added back [dB2].
 double squaresAroundLaw(const AccessPointBins& access_point, const std::vector<double>& loss_db) {
-  // Exponents measured indoors lie within these, walls counted apart or not.
+  // Exponents measured indoors lie within these limits, with or without separate walls.
   constexpr double kLeastExponent = 0.8;
   constexpr double kMostExponent = 3.5;
   const auto count = static_cast<Eigen::Index>(access_point.bins.size());

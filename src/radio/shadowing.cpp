@@ -14,8 +14,8 @@
 namespace sfw {
 namespace {
 
-/// Numbers of positions from coarse to fine: each has neighbours on all sides among those before
-/// it. The bits of a number in reverse give its rank.
+/// Numbers of positions from coarse to fine. Each position has neighbours on all sides among the
+/// earlier ones. The bits of a number in reverse order give its rank.
 std::vector<int> coarseToFine(std::size_t count) {
   std::vector<std::pair<std::uint32_t, int>> keyed(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -38,7 +38,7 @@ std::vector<int> coarseToFine(std::size_t count) {
 /// Adds the part of L' L v that comes from one row l of the factor L: l' (l v).
 template <class Row, class Scalar>
 void addRowProduct(const Row& row, const Scalar* values, Scalar* sums) {
-  // Several sums, as each addition waits for the one before.
+  // Several sums are used, because each addition waits for the previous one.
   constexpr std::size_t kSums = 4;
   std::array<Scalar, kSums> white{};
   for (std::size_t i = 0; i < row.index.size(); ++i) {
@@ -120,7 +120,7 @@ Eigen::VectorXd ShadowingWhitener::applyPrecision(const Eigen::VectorXd& values)
 }
 
 double ShadowingWhitener::logDeterminant() const {
-  // L is a triangle but for the order of its rows, and a row's first weight stands on the diagonal.
+  // L is triangular except for the order of its rows. A row's first weight is on the diagonal.
   double sum = 0.0;
   for (const Row<double>& row : rows_) {
     sum += std::log(row.weight[0]);

@@ -1,5 +1,5 @@
-// A node that loads one nodelet. It is compiled once for each nodelet, with SFW_NODE, the node's
-// default name, and SFW_NODELET, the nodelet's name, defined.
+// A node that loads one nodelet. It is compiled once for each nodelet. SFW_NODE is the node's
+// default name, and SFW_NODELET is the nodelet's name.
 
 #include <nodelet/loader.h>
 #include <ros/ros.h>
@@ -21,7 +21,7 @@ bool somethingIsAdvertised() {
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, SFW_NODE);
-  const ros::NodeHandle node;  // keeps ROS up until the nodelet is gone
+  const ros::NodeHandle node;  // keeps ROS running until the nodelet is destroyed
   try {
     nodelet::Loader loader(false);
     const bool loaded = loader.load(ros::this_node::getName(), SFW_NODELET,

@@ -61,7 +61,7 @@ Bssid numberedBssid(std::size_t number) {
 std::vector<AccessPoint> placeAccessPoints(const FloorPlan& plan, std::int64_t count,
                                            std::int64_t seed) {
   constexpr double kFromWalls = 0.3;  // [m]
-  constexpr int kCandidates = 20;     // for each: enough to spread, too few to line the walls
+  constexpr int kCandidates = 20;     // for each: enough to spread, too few to fill the walls
   const std::vector<Position> places = roomyPlaces(plan, kFromWalls);
   if (places.empty()) {
     throw InputError(

@@ -27,7 +27,7 @@ struct SampleTime {
   std::uint64_t sample;
 };
 
-/// The samples of a drive, in order of time, then of access points.
+/// The samples of a drive, by time, then by access point.
 std::vector<SampleTime> sampleTimes(std::size_t access_points, double duration_s,
                                     const RecordingConfig& config) {
   const bool scans = config.listening == Listening::kScans;

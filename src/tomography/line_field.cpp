@@ -117,7 +117,7 @@ class Solver {
     gradient_.head(pairs).array() -= change_;
   }
 
-  /// No smaller than the largest curvature of the smooth part.
+  /// An upper bound of the largest curvature of the smooth part.
   float curvatureBound() {
     Vector x = Vector::Ones(loss_.size());
     float largest = 0.0F;
@@ -183,7 +183,7 @@ class Solver {
   const std::vector<LineLattice>& lattices_;
   Rays rays_;
   std::vector<AccessPointRays> access_points_;
-  Vector excess_;             // signals over those expected without walls [dB], by ray
+  Vector excess_;             // signals less those expected without walls [dB], by ray
   Eigen::ArrayXf continued_;  // weight of the change to the next unknown; 0 at the end of a wall
   Vector loss_;
   Vector weight_;

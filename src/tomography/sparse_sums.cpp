@@ -52,7 +52,7 @@ void SparseSums::of(const Eigen::VectorXf& terms, Eigen::VectorXf& sums) const {
     const float* const values = terms.data() + i * kBlock;
     const std::uint16_t* term = blocks_[i].terms.data();
     for (const Block::Sum& sum : blocks_[i].sums) {
-      // Four partial sums, as each addition waits for the one before.
+      // Four partial sums are used, because each addition waits for the previous one.
       float a = 0.0F, b = 0.0F, c = 0.0F, d = 0.0F;
       std::uint32_t left = sum.terms;
       for (; left >= 4; left -= 4, term += 4) {

@@ -53,7 +53,7 @@ Scale scaleOf(const std::vector<WeightedDrive>& training) {
   return scale;
 }
 
-/// Standardises some cells. Each becomes a column with a one as its last element.
+/// Standardises some cells. Each cell becomes a column with a one as its last element.
 Cells standardised(const TrainingCells& drive, std::size_t from, std::size_t count,
                    const Scale& scale, bool use_radio) {
   Cells cells = Cells::Zero(kSize, static_cast<Eigen::Index>(count));
@@ -135,7 +135,7 @@ BeliefModel::Expert expertFor(DrivingStyle style, const std::vector<TrainingCell
   for (const BeliefModel::Style& one : styles) {
     expert.style_mean += one / count;
   }
-  // A little of the unit matrix keeps few or equal drives from a singular covariance.
+  // A small multiple of the unit matrix avoids a singular covariance with few or equal drives.
   expert.style_covariance = 1e-4 * Eigen::Matrix3d::Identity();
   for (const BeliefModel::Style& one : styles) {
     const BeliefModel::Style away = one - expert.style_mean;

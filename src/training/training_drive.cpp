@@ -23,8 +23,8 @@ NoiseLevel chooseLevel(Random& random) {
                       : noiseLevel("hard");
 }
 
-/// Wider than the levels: losses of walls in homes were measured from 1.4 to 8.3 dB, and the first
-/// fits of their saturation, shadowing and its reach differ as much.
+/// The ranges are wider than those of the levels. Measured losses of walls in homes range from 1.4
+/// to 8.3 dB. The first fits of saturation, shadowing and its reach differ as much.
 void varyRadio(RadioModel::Config& radio, Random& random) {
   radio.interior_wall_loss_db = random.uniform(2.0, 11.0);
   radio.outer_wall_loss_db = radio.interior_wall_loss_db * random.uniform(1.0, 2.0);

@@ -68,7 +68,7 @@ std::vector<Position> divided(const std::vector<Position>& route) {
   return dense;
 }
 
-/// Chaikin's corner cutting (1974), where there is room for it.
+/// Chaikin's corner cutting (1974), where there is enough space.
 std::vector<Position> smoothed(const std::vector<Position>& route, const Clearance& clearance) {
   std::vector<Position> smooth{route.front()};
   for (std::size_t i = 1; i + 1 < route.size(); ++i) {
@@ -193,7 +193,7 @@ std::vector<Position> withRandomWalks(const std::vector<Position>& route, const 
         stroll.push_back(next);
       }
     }
-    // The robot returns as it came until it can see the way point.
+    // The robot returns on its own path until the way point is in sight.
     while (out.size() > 1) {
       out.pop_back();
       stroll.push_back(out.back());

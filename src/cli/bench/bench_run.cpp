@@ -28,7 +28,7 @@ FloorPlan planOf(const std::string& name) {
   if (name.rfind(kGenerated, 0) != 0) {
     return readFloorPlan(name);
   }
-  // Every third one an office, sizes from small flats to floors.
+  // Every third building is an office. Sizes range from small flats to whole floors.
   BuildingConfig config;
   config.seed = std::stoull(name.substr(sizeof kGenerated - 1));
   config.kind = config.seed % 3 == 0 ? BuildingKind::kOffice : BuildingKind::kFlat;

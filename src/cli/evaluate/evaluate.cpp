@@ -68,7 +68,7 @@ nlohmann::json toJson(const AblationMetrics& ablations) {
   return json;
 }
 
-/// The metrics of the ablations, if --ablations is given. They map the readings again.
+/// The metrics of the ablations, if --ablations is given. Each ablation maps the readings again.
 std::optional<AblationMetrics> ablationsFor(const EvaluateOptions& options,
                                             const EvaluationInput& input,
                                             const std::vector<Reading>& readings) {

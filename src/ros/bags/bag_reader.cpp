@@ -16,7 +16,7 @@
 namespace sfw {
 namespace {
 
-/// Topic names compare without a leading slash: bags have them with and without.
+/// Topic names are compared without a leading slash, because bags have them with and without it.
 std::string plain(const std::string& topic) {
   return !topic.empty() && topic.front() == '/' ? topic.substr(1) : topic;
 }
@@ -58,7 +58,7 @@ BagReading read(const std::string& file, const BagTopics& topics, const MappingS
                 Mapper& mapper) {
   const rosbag::Bag bag(file, rosbag::bagmode::Read);
   rosbag::View view(bag);
-  // Nothing is too old to be kept, but stamp plus age must fit 32 bits of seconds.
+  // No transform is too old, but stamp plus age must fit 32 bits of seconds.
   tf2::BufferCore transforms(ros::Duration(1e9));
   loadTransforms(bag, transforms);
   BagReading reading;

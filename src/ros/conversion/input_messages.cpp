@@ -32,7 +32,7 @@ std::vector<Eigen::Vector3d> nearPoints(const sensor_msgs::PointCloud2& cloud) {
 }  // namespace
 
 Conversion convertScan(const structure_from_wifi::WifiScan& scan, const InputContext& context) {
-  constexpr std::size_t kMostReadings = 1000;  // far more than a radio receives
+  constexpr std::size_t kMostReadings = 1000;  // far more than the readings of any radio
   constexpr double kOldest_s = 3600.0;  // no cache of scans is older, and ros::Duration throws
   const std::size_t readings = std::min(scan.readings.size(), kMostReadings);
   const ros::Time stamp = stampOr(scan.header.stamp, context.received);

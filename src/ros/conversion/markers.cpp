@@ -137,7 +137,7 @@ std::string labelOf(const CheckedAccessPoint& checked) {
   return text;
 }
 
-/// Beside an access point, its lines clear of it.
+/// The name beside an access point. No line of the text covers the access point.
 visualization_msgs::Marker nameMarker(const CheckedAccessPoint& checked,
                                       const std_msgs::Header& header, int id,
                                       const geometry_msgs::Point& above) {
@@ -153,8 +153,8 @@ bool shareAPosition(const CheckedAccessPoint& a, const CheckedAccessPoint& b) {
          a.summary->access_point.position == b.summary->access_point.position;
 }
 
-/// The radio that the label of a position names, of those there that follow each other in the
-/// table: the first suspect one, or else the first. Nullptr if the position has its label already.
+/// The radio in the label of a position. Among radios there that follow each other in the table, it
+/// is the first suspect one, or else the first. Nullptr if the position has a label already.
 const CheckedAccessPoint* labelled(const std::vector<CheckedAccessPoint>& all, std::size_t first) {
   if (first > 0 && shareAPosition(all[first - 1], all[first])) {
     return nullptr;

@@ -65,7 +65,8 @@ std::optional<LocatedObservation> locate(const Observation& observation, const R
     located.correction = correctionAt(observation.stamp, config, transforms);
     return located;
   } catch (const std::exception& error) {
-    // Not only tf2's own: it subtracts stamps, and ros::Duration throws if they lie 68 years apart.
+    // Catches more than tf2's exceptions. tf2 subtracts stamps, and ros::Duration throws if they
+    // are 68 years apart.
     tf_error = error.what();
     return std::nullopt;
   }

@@ -64,7 +64,7 @@ void MappingNodelet::loadParameters() {
 
 void MappingNodelet::advertise() {
   ros::NodeHandle node = getNodeHandle();
-  // Inferred first: if no map is possible, nothing may be advertised.
+  // The map is inferred first. If no map is possible, nothing may be advertised.
   const std::shared_ptr<const Snapshot> empty = mapper_->corrected({}).mapper.infer(stop_);
   publishers_.emplace(node, ros_settings_.map_frame, config_.octomap);
   publishers_->publish(empty);
@@ -194,7 +194,7 @@ void MappingNodelet::stepMapping() {
 }
 
 MappingNodelet::Mapping MappingNodelet::publishMap(Checks checks) {
-  changed_ = false;  // before the copy: readings that come after it are for the next map
+  changed_ = false;  // before the copy: later readings are for the next map
   last_map_correction_ = latestCorrection(ros_settings_, *transforms_);
   Mapping mapping{mapper_->corrected(last_map_correction_), nullptr, {}};
   mapping.snapshot = mapping.copy.mapper.infer(stop_);

@@ -14,7 +14,7 @@
 namespace sfw {
 namespace {
 
-/// Whether a name cannot lead out of its parent directory: letters, digits, '.', '_' and '-'.
+/// Whether a name stays in its parent directory: it has only letters, digits, '.', '_' and '-'.
 bool isPlainName(const std::string& name) {
   constexpr char kAllowed[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-";
   constexpr std::size_t kLongest = 200;
@@ -66,7 +66,7 @@ bool MappingNodelet::serveMap(nav_msgs::GetMap::Response& response) {
 }
 
 bool MappingNodelet::reset(std_srvs::Trigger::Response& response) {
-  // The mapping thread may be inferring a map of the old readings; it will not publish that one.
+  // The mapping thread may be inferring a map of the old readings. It does not publish that map.
   const std::lock_guard<std::mutex> lock(publishing_);
   mapper_->reset();
   queue_->clear();

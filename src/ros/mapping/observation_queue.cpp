@@ -20,7 +20,7 @@ void ObservationQueue::clear() {
 }
 
 bool ObservationQueue::isExpired(const Waiting& waiting, const ros::Time& now) const {
-  // Not by ros::Duration: it throws where stamps lie 68 years apart.
+  // ros::Duration is not used, because it throws if stamps are 68 years apart.
   const auto is_long_before_now = [&](const ros::Time& time) {
     return now.toSec() - time.toSec() > config_.transform_timeout_s;
   };

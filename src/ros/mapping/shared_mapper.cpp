@@ -42,7 +42,8 @@ SharedMapper::Copy SharedMapper::corrected(const std::optional<OdometryCorrectio
   Copy copy{mapper_, resets_, false};
   PathCorrector corrector = corrector_;
   lock.unlock();
-  // Not kept: tf's latest correction depends on the time of this call, and later maps must not.
+  // tf's latest correction is not stored. It depends on the time of this call, and later maps must
+  // not.
   if (latest && corrector.size() > 0) {
     corrector.insert(*latest);
   }

@@ -58,7 +58,7 @@ void checkTime(const SimulatorConfig& config, Problems& problems) {
 }
 
 void checkFrames(const SimulatorConfig& config, Problems& problems) {
-  constexpr double kFar = 1e6;  // metres; nothing beyond is a building
+  constexpr double kFar = 1e6;  // metres; no building reaches farther
   constexpr double kTurn = 10.0;
   problems.frame("map_frame", config.map_frame);
   problems.frame("odom_frame", config.odom_frame);

@@ -23,7 +23,7 @@ namespace {
 /// Stamp at which the simulated clock starts [s]. It is not 0, which means no time in ROS.
 constexpr double kClockStart = 1000.0;
 
-/// Wait after the first subscriber, in real time: its connections for tf and clock take as long.
+/// Wait after the first subscriber, in real time. Its connections for tf and clock take this long.
 constexpr std::chrono::milliseconds kSettle{1000};
 
 /// Share of a scan's period by which a scan may be early, so that rounding does not delay it by a
@@ -171,7 +171,8 @@ void SimulatorNodelet::sendStep(std::int64_t step) {
   }
   const double driven_s = drivenTime(step);
   if (route_ && driven_s > route_->duration()) {
-    // A step after the last scan at the earliest, so transforms on both sides of it are out.
+    // The drive ends at least a step after the last scan, so transforms before and after the scan
+    // are sent.
     finish();
   } else if (driven_s * config_.scan_rate_hz >= static_cast<double>(scans_) - kRounding) {
     sendScan(stamp, pose);

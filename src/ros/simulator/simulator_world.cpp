@@ -13,7 +13,7 @@ std::vector<Position> wayPointsOf(const Grid<CellState>& plan, const SimulatorCo
   if (!config.noise.empty()) {
     planner.clearance_m = wallClearance(noiseLevel(config.noise), config.signals.radio.seed);
   }
-  // A robot that is driven by hand needs only the start of the route, and a sparse one is short.
+  // A robot under manual control needs only the start of the route, and a sparse route is short.
   const bool short_route = parseRouteKind(config.route) && config.drive != "route";
   return wayPoints(short_route ? "sparse" : config.route, plan, planner);
 }

@@ -37,8 +37,8 @@ std::vector<RoomChoice> choicesFor(int depth, bool main_row) {
   return main_row ? deepRow() : mixedRow();
 }
 
-/// Rooms along a corridor, each with its door. A bath too deep for one is cut: a toilet or cupboard
-/// at the corridor, and behind it a bath for the bedroom beside it.
+/// Rooms along a corridor, each with its door. A room too deep for a bath is divided. A toilet or
+/// cupboard is at the corridor, and behind it is a bath for the next bedroom.
 std::vector<std::size_t> addRooms(std::size_t corridor, const Rect& rect, Side corridor_side,
                                   bool main_row, FloorLayout& layout) {
   constexpr int kDeepBath = 340;
@@ -133,7 +133,7 @@ void drawBar(int area_m2, FloorLayout& layout) {
   }
 }
 
-/// Two wings at a right angle; their halls meet at a living room in the outer corner.
+/// Two wings at a right angle. Their halls meet at a living room in the outer corner.
 struct LShapedFlat {
   int wall, hall;
   int wing_depth;             // of the first wing, that lies along x
@@ -154,7 +154,7 @@ LShapedFlat chooseEll(int area_m2, PortableRandom& random) {
   const int right_row = random.between(340, 440);
   const int wing_width = left_row + ell.wall + ell.hall + ell.wall + right_row;
   const int area = area_m2 * kToCm2;
-  // Long enough that both wings show.
+  // Long enough that both wings are visible.
   ell.length = std::max(area * random.between(50, 60) / 100 / ell.wing_depth, wing_width + 250);
   ell.wing_left = ell.length - wing_width;
   ell.hall_left = ell.wing_left + left_row + ell.wall;

@@ -47,7 +47,7 @@ RoomChoice draw(const std::vector<RoomChoice>& choices, const std::vector<Share>
   return choices.front();
 }
 
-/// Rooms whose widths and walls fill `length` as well as whole rooms can.
+/// Draws rooms until their widths and walls fill `length` as well as possible.
 std::vector<Share> fill(int length, int partition, const std::vector<RoomChoice>& choices,
                         PortableRandom& random) {
   std::vector<Share> row;
@@ -55,7 +55,8 @@ std::vector<Share> fill(int length, int partition, const std::vector<RoomChoice>
   while (true) {
     const RoomChoice choice = draw(choices, row, random);
     const int width = random.between(choice.least_width, choice.largest_width);
-    // The last room overshoots by less than it would leave: then squeezing is the smaller evil.
+    // `better`: the excess with the last room is smaller than the gap without it. Then squeezing is
+    // better.
     const bool fits = used + partition + width <= length;
     const bool better = used + partition + width - length < length - used;
     if (!fits && !better && !row.empty()) {
@@ -69,8 +70,9 @@ std::vector<Share> fill(int length, int partition, const std::vector<RoomChoice>
   }
 }
 
-/// Stretches or squeezes all rooms alike so that they fill `length` to the centimetre, none
-/// below 90 % of its least width; a row that cannot do that loses its narrowest room.
+/// Stretches or squeezes all rooms equally, so that they fill `length` to the centimetre. No room
+/// becomes narrower than 90 % of its least width. If that is impossible, the row loses its
+/// narrowest room.
 void fit(int length, int partition, std::vector<Share>& row) {
   while (true) {
     const int net = length - partition * (static_cast<int>(row.size()) - 1);
@@ -166,7 +168,7 @@ bool FloorLayout::connect(std::size_t a, std::size_t b, int width_cm) {
     return false;
   }
   const int width = std::min(width_cm, room);
-  // Doors stand near a corner, so that furniture finds a wall; openings anywhere.
+  // Doors are near a corner, to leave wall for furniture. Openings are anywhere.
   const int spare = room - width;
   int shift = random_.between(0, width_cm > 100 ? spare : std::min(spare, 40));
   shift = random_.chance(50) ? shift : spare - shift;

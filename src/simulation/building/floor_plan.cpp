@@ -12,10 +12,10 @@ namespace {
 
 constexpr double kThickestOuterWall = 0.5;     // [m]
 constexpr double kThickestInteriorWall = 0.4;  // [m]
-constexpr double kNarrowestFloor = 0.4;        // what is narrower all over is a speck [m]
+constexpr double kNarrowestFloor = 0.4;        // an area that is narrower everywhere is a speck [m]
 
-/// The outside, on a grid that is one cell wider on each side: that ring belongs to it, so that a
-/// building may fill its own grid.
+/// The outside, on a grid that is one cell wider on each side. The additional ring is outside, so
+/// that a building may fill its own grid.
 Mask outsideOf(const Grid<CellState>& states) {
   const GridGeometry& inner = states.geometry;
   const double ring = inner.resolution();
@@ -59,9 +59,9 @@ Mask floorOf(const Grid<CellState>& states) {
 
 /// The floor and the gaps in it that an interior wall could fill.
 ///
-/// Closing is what keeps the two kinds apart where they meet: a disc that is wider than the
-/// interior wall cannot enter the gap from the side of the façade, while the façade itself has
-/// no floor behind it and is left alone.
+/// Closing separates the two kinds of walls where they meet. A disc wider than the interior wall
+/// cannot enter the gap from the side of the façade. The façade has no floor behind it and stays
+/// unchanged.
 Mask spaceWithinOuterWalls(const Grid<CellState>& states) {
   return closed(floorOf(states), 0.5 * kThickestInteriorWall / states.geometry.resolution());
 }

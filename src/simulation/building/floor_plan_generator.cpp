@@ -78,7 +78,7 @@ Material materialAt(const Building& building, const Position& at) {
                                                           : Material::kUnknown;
 }
 
-/// The rectangle around the rotated building [m], with some air.
+/// The rectangle around the rotated building [m], with a margin.
 Box boxAround(const Building& building, const Eigen::Rotation2Dd& map_from_building) {
   constexpr double kMargin = 0.5;
   Box box;
@@ -94,7 +94,7 @@ Box boxAround(const Building& building, const Eigen::Rotation2Dd& map_from_build
 
 FloorPlan rasterised(const Building& building, const BuildingConfig& config,
                      const Eigen::Rotation2Dd& map_from_building) {
-  // Centres of cells may fall on edges of walls; which side they are on must not hang on rounding.
+  // Centres of cells may lie on edges of walls. Rounding must not decide their side.
   const Position nudge(1e-6, 1e-6);
   constexpr std::int64_t kMostCells = 64'000'000;
   FloorPlan plan(GridGeometry::covering(boxAround(building, map_from_building), config.resolution_m,

@@ -19,7 +19,7 @@ namespace sfw {
 namespace {
 
 constexpr double kWallThickness = 0.15;  // around a HouseExpo outline, which has none there [m]
-constexpr double kWidestSlit = 0.6;      // between rooms; wider ones hold something else [m]
+constexpr double kWidestSlit = 0.6;      // between rooms; wider gaps are no wall [m]
 constexpr double kMargin = 0.5;          // [m]
 constexpr std::int64_t kMostCells = 64'000'000;
 constexpr std::int64_t kMostCrossings = kMostCells;  // keeps memory in the same bounds
@@ -47,7 +47,7 @@ PlanKind kindOf(const std::string& file) {
 }
 
 Position parseVertex(const nlohmann::json& vertex, const std::string& name) {
-  constexpr double kFar = 1e6;  // metres; nothing beyond is a building
+  constexpr double kFar = 1e6;  // metres; no building reaches farther
   if (!vertex.is_array() || vertex.size() != 2 || !vertex[0].is_number() ||
       !vertex[1].is_number()) {
     throw InputError(name + " must be a pair of numbers");
@@ -91,7 +91,7 @@ void requireTraceable(const std::string& file, const std::vector<Position>& outl
   }
 }
 
-/// Builds walls around and between the free cells; thin ones stand already.
+/// Adds walls around and between the free cells. Thin walls exist already.
 void buildWalls(Grid<CellState>& states) {
   const double resolution = states.geometry.resolution();
   Mask free(states.geometry);

@@ -52,7 +52,7 @@ void requireFits(const std::string& file, std::string_view bytes, std::int64_t m
   }
 }
 
-/// The picture with 8 bits a channel, whatever the file holds.
+/// The picture with 8 bits a channel, for any depth of the file.
 Surface decode(const std::string& file, std::int64_t max_cells) {
   const std::string bytes = readFile(file);
   requireFits(file, bytes, max_cells);
@@ -89,7 +89,7 @@ CellState stateOf(std::uint32_t pixel) {
   return 1.0 - light > 0.5 ? CellState::kOccupied : CellState::kFree;
 }
 
-/// Makes the free cells unknown that are connected with the image border: they are outside.
+/// Makes free cells unknown if they are connected with the image border, because they are outside.
 void clearAround(const std::string& file, Grid<CellState>& states) {
   Mask built(states.geometry);
   for (std::size_t i = 0; i < built.cells.size(); ++i) {

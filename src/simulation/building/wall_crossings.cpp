@@ -12,14 +12,14 @@ bool isWall(Material material) {
   return material == Material::kInteriorWall || material == Material::kOuterWall;
 }
 
-/// Where a ray meets a wall: in one cell, or at the corner that two share.
+/// The contact of a ray with a wall: in one cell, or at the common corner of two cells.
 struct Contact {
   Cell a;
   Cell b;
 };
 
-/// Calls `visit(Contact, goes_on)` for each contact of a ray with wall cells, in order; `goes_on`
-/// tells that nothing lies between it and the contact before.
+/// Calls `visit(Contact, goes_on)` for each contact of a ray with wall cells, in order. `goes_on`
+/// is true if nothing lies between this contact and the previous one.
 template <class T, class Visitor>
 void forEachContact(const Grid<T>& plan, const Position& from, const Position& to,
                     Visitor&& visit) {
@@ -65,7 +65,7 @@ std::vector<Run> runsBetween(const Grid<T>& plan, const Position& from, const Po
     }
     runs.back().outer += isOuter(plan[contact.a]) ? 1 : 0;
   });
-  // The walls in which the ends lie stand between nothing.
+  // A wall that contains an end does not count.
   if (!runs.empty() && runs.back().last.a == plan.geometry.cellAt(to)) {
     runs.pop_back();
   }

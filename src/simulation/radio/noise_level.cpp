@@ -9,7 +9,7 @@
 namespace sfw {
 namespace {
 
-/// What is drawn from a level's ranges: each has its own random number.
+/// The values drawn from a level's ranges. Each has its own random number.
 enum class Draw : std::uint64_t { kExponent, kWallLoss, kRegistrationError, kClearance };
 
 double drawn(const Range& range, std::int64_t seed, Draw draw) {

@@ -17,7 +17,7 @@ namespace {
 constexpr double kUsualTxDbm = 20.0;              // for which rssi_at_1m holds
 constexpr double kWallCorrelationDistance = 2.0;  // of a wall's loss, 1/e [m]
 constexpr double kAreaPerFurniture = 9.0;         // [m2]
-constexpr double kMinDistance = 0.1;              // nearer antennas touch, and the model ends [m]
+constexpr double kMinDistance = 0.1;              // the model is not valid at smaller distances [m]
 
 std::string outsideText(const AccessPoint& access_point) {
   char text[64];

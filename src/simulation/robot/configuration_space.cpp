@@ -14,7 +14,7 @@ namespace sfw {
 namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
-/// Keeps what is free here free to requireFree, which rounds differently [cells].
+/// A margin [cells]: requireFree rounds differently, and a free cell here must be free there too.
 constexpr double kRounding = 1e-6;
 
 Position toPosition(Cell c) { return {static_cast<double>(c.x), static_cast<double>(c.y)}; }
@@ -68,8 +68,8 @@ std::optional<Cell> ConfigurationSpace::middle() const {
 }
 
 bool ConfigurationSpace::driveable(Cell from, Cell to, double least) const {
-  // From anywhere in a cell to its centre. What is nearer to the drive than `least` is nearer than
-  // that and this to the centre of a cell that the drive crosses.
+  // The largest distance in a cell to its centre. An obstacle nearer to the drive than `least` is
+  // nearer than `least` plus this distance to the centre of some crossed cell.
   const double half_diagonal = std::sqrt(0.5);
   bool clear = true;
   const GridGeometry& g = geometry();
@@ -102,7 +102,7 @@ PathFinder::PathFinder(const ConfigurationSpace& space, double comfort)
     : space_(space), comfort_(comfort), cost_(space.geometry(), kFar), before_(space.geometry()) {}
 
 double PathFinder::costOfStep(Cell from, Cell to, double length) const {
-  constexpr double kTight = 2.0;  // the detour that one would make to stay clear of a wall
+  constexpr double kTight = 2.0;  // the acceptable detour to stay away from a wall
   const double clearance = std::min(space_.clearance(from), space_.clearance(to));
   return length * (1.0 + kTight * std::max(0.0, 1.0 - clearance / comfort_));
 }

@@ -16,8 +16,8 @@ namespace {
 
 /// Drops the cells of a path between two others if the straight drive between those is good.
 ///
-/// Greedy: each stretch is made as long as doubling and halving finds it to go, so a long one takes
-/// a logarithm of its cells in tests.
+/// Greedy: doubling and halving find the longest good stretch. So the number of tests is
+/// logarithmic in the cells of a stretch.
 /// @param good  (from, to): of two indices, whether the drive between them may replace all between
 template <class Good>
 void appendSimplified(const std::vector<Cell>& cells, Good&& good, std::vector<Cell>& route) {
@@ -97,7 +97,8 @@ class Driver {
     return false;
   }
 
-  /// A stroke that may start at a cell and is still to be driven, or their number if there is none.
+  /// A stroke that may start at a cell and is not driven yet, or the number of strokes if there is
+  /// none.
   /// @param room  that it must be in, unless 0
   std::size_t strokeAt(Cell c, std::int64_t room) const {
     const auto found = entries_.find(space_.geometry().index(c));
@@ -111,7 +112,7 @@ class Driver {
     return strokes_.size();
   }
 
-  /// A shortcut comes no nearer to walls than the path that it replaces, or than is comfortable.
+  /// A shortcut comes no nearer to walls than the replaced path, or than the comfortable clearance.
   void appendConnection(const std::vector<Cell>& path) {
     appendSimplified(
         path,
@@ -125,7 +126,7 @@ class Driver {
         route_);
   }
 
-  /// From its entry, where the route has arrived.
+  /// Appends a stroke from its entry, which the route has reached.
   void appendStroke(const Stroke& stroke) {
     std::vector<Cell> cells = stroke.cells;
     if (stroke.closed) {
@@ -142,7 +143,8 @@ class Driver {
     }
   }
 
-  /// Which cells a stroke turns at: Douglas and Peucker's choice, which finds the corners of rooms.
+  /// The cells at which a stroke turns, by Douglas and Peucker's method. It finds the corners of
+  /// rooms.
   std::vector<bool> cornersOf(const std::vector<Cell>& cells) const {
     constexpr double kTolerance = 1.0;  // [cells]
     std::vector<bool> corners(cells.size(), false);
@@ -201,7 +203,7 @@ Cell chooseStart(const ConfigurationSpace& space, const RoutePlannerConfig& conf
   return start;
 }
 
-/// The cell that is farthest from the start, if a route would stay there.
+/// Adds the cell farthest from the start if a route has only one cell.
 std::vector<Cell> withSomewhereToGo(std::vector<Cell> route, const ConfigurationSpace& space) {
   if (route.size() > 1) {
     return route;
@@ -247,7 +249,7 @@ std::vector<Position> planRoute(const Grid<CellState>& plan, RouteKind kind,
   ConfigurationSpace space(plan, config.robot_radius_m);
   const Cell start = chooseStart(space, config);
   space.keepConnectedTo(start);
-  // Cells diagonal to such ones are free too, so contours can be driven.
+  // Cells diagonal to cells at this distance are free too, so the robot can follow contours.
   const double distance = std::max(
       (config.robot_radius_m + config.clearance_m) / plan.geometry.resolution(), space.reach());
   const std::vector<Stroke> strokes =

@@ -12,11 +12,11 @@ namespace {
 
 constexpr double kLineSpacing = 1.8;    // of lines across a room [m]
 constexpr double kShortestLine = 1.0;   // worth driving [m]
-constexpr double kWallsReach = 0.9;     // what is farther from all strokes is visited [m]
+constexpr double kWallsReach = 0.9;     // places farther from all strokes are visited [m]
 constexpr double kHalfOpening = 0.5;    // of the widest door [m]
 constexpr double kPatrolReach = 2.2;    // the same for the middle of rooms on patrol [m]
-constexpr double kCornerReach = 3.0;    // and for the rest of it [m]
-constexpr double kSmallestThing = 1.0;  // round which the robot drives: its circumference [m]
+constexpr double kCornerReach = 3.0;    // the same for the rest of a room [m]
+constexpr double kSmallestThing = 1.0;  // circumference of an obstacle that the robot circles [m]
 
 /// The cells of a space at some distance from all walls, by the room that they are in.
 Components roomsOf(const ConfigurationSpace& space, double distance) {
@@ -37,7 +37,7 @@ Mask cellsOf(const Components& components) {
 
 Position toPosition(Cell c) { return {static_cast<double>(c.x), static_cast<double>(c.y)}; }
 
-/// A box around cells, turned so that it is as small as can be [cells].
+/// The smallest box around cells, in any rotation [cells].
 struct TurnedBox {
   Position along;  // unit vector of its longer side
   Position across;
@@ -75,7 +75,7 @@ TurnedBox smallestBoxAround(const std::vector<Cell>& cells) {
   return best;
 }
 
-/// Adds the place of a set that is farthest from all before, until none is beyond `reach`.
+/// Adds the place of a set that is farthest from all previous ones, until none is beyond `reach`.
 void addFarthest(const ConfigurationSpace& space, const Mask& places, double reach,
                  DriveDistance& distance, std::vector<Stroke>& strokes) {
   const GridGeometry& g = space.geometry();
@@ -114,9 +114,9 @@ class WallDrive {
  private:
   double inCells(double metres) const { return metres / space_.geometry().resolution(); }
 
-  /// Along the outer walls of each room, and round things that stand in it.
+  /// Adds loops along the outer walls of each room and around obstacles in it.
   void addLoops() {
-    // In steps over edges, a circle takes eight of its radii.
+    // In steps over edges, a circle has a length of eight radii.
     constexpr double kCircle = 8.0;
     std::vector<bool> has_outer(static_cast<std::size_t>(rooms_.count) + 1, false);
     for (std::vector<Cell>& loop : contours(cellsOf(rooms_))) {
@@ -136,8 +136,8 @@ class WallDrive {
     std::int64_t last = 0;
     for (const std::vector<Cell>& border : contours(cellsOf(middles_))) {
       const std::int64_t middle = middles_.label[border.front()];
-      // Labels and borders are both in the order of their first cells, and no hole begins in a
-      // lower row than what it is in.
+      // Labels and borders are both in the order of their first cells. No hole begins in a lower
+      // row than its room.
       if (middle > last) {
         last = middle;
         addLines(border, middle);
@@ -186,7 +186,7 @@ class WallDrive {
     strokes_.push_back({{stretch.front(), stretch.back()}, false, rooms_.label[stretch.front()]});
   }
 
-  /// Visits what the strokes leave out, the farthest place first.
+  /// Visits the places that the strokes leave out, the farthest first.
   void addNarrowPlaces() {
     DriveDistance distance(space_);
     distance.add(lines_);
@@ -198,7 +198,7 @@ class WallDrive {
 
   const ConfigurationSpace& space_;
   Components rooms_;
-  Components middles_;  // of rooms, apart at doors even if the robot keeps close to walls
+  Components middles_;  // of rooms, separated at doors even for a small clearance
   std::vector<Stroke> strokes_;
   std::vector<Cell> lines_;
 };

@@ -168,7 +168,7 @@ SimulatedRobot::FreePath SimulatedRobot::freePath(const Position& direction,
   forEachObstacle(Box(from), stop_m, [&](const Box& square) {
     distance_m = std::min(distance_m, square.exteriorDistance(from));
   });
-  // Within the skin the robot may go on, but no nearer to anything than it is.
+  // Within the skin the robot may continue, but not nearer to any obstacle than it is.
   const double radius_m = std::max(config_.radius_m - kOverlap, distance_m - kRounding);
   Box swept(from);
   swept.extend(Position(from + length_m * direction));
@@ -180,7 +180,7 @@ SimulatedRobot::FreePath SimulatedRobot::freePath(const Position& direction,
       path.obstacle = nearestPoint(square, from + until * direction);
     }
   });
-  // Or else pressing against a wall would creep into it by rounding after rounding.
+  // Otherwise a robot that presses against a wall would creep into it by repeated rounding.
   path.length_m = path.obstacle && path.length_m < kOverlap ? 0.0 : path.length_m;
   return path;
 }
@@ -188,7 +188,7 @@ SimulatedRobot::FreePath SimulatedRobot::freePath(const Position& direction,
 template <class Visitor>
 void SimulatedRobot::forEachObstacle(const Box& around, double distance_m, Visitor&& visit) const {
   const GridGeometry& geometry = plan_.geometry;
-  // A cell more on each side, as a point on an edge belongs to one cell but touches two.
+  // One more cell on each side, because a point on an edge belongs to one cell but touches two.
   const Cell first = geometry.cellAt(around.min() - Position::Constant(distance_m));
   const Cell last = geometry.cellAt(around.max() + Position::Constant(distance_m));
   const Position half_cell = Position::Constant(0.5 * geometry.resolution());
