@@ -1,17 +1,17 @@
 # shellcheck shell=bash
-# Sourced by the scripts beside it: where things lie, and an environment in which they work on any
-# machine. Sets `repository` and `build`; defines say, fail and source_ros.
+# The scripts in this folder source this file. It sets `repository` and `build`, and an environment
+# that works on any machine. It defines say, fail and source_ros.
 
 repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
-# Another folder holds a variant of the build, with sanitizers say.
+# Another folder can hold a variant of the build, such as one with sanitizers.
 build=${SFW_BUILD_FOLDER:-$repository/build}
 
-# ROS belongs to the system's Python; another one first on the path breaks catkin and rospy alike.
+# ROS needs the system's Python. Another Python first on the path breaks catkin and rospy.
 export PATH=/usr/bin:/bin:/usr/sbin:/sbin:${PATH:-/usr/local/bin}
 unset PYTHONHOME PYTHONPATH
 export PYTHONNOUSERSITE=1
 
-# Loopback works without a resolvable host name, and the port keeps clear of a master in use.
+# Loopback works without a resolvable host name, and the port avoids a running master.
 export ROS_IP=127.0.0.1 ROS_MASTER_URI=http://127.0.0.1:11911
 unset ROS_HOSTNAME
 export ROSCONSOLE_STDOUT_LINE_BUFFERED=1

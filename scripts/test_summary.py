@@ -25,7 +25,7 @@ def read_cases(path):
     cases = []
     for case in suites.iter("testcase"):
         name = "%s.%s" % (case.get("classname"), case.get("name"))
-        # ElementTree's elements without children are false.
+        # An element of ElementTree without children is false.
         problem = next((e for e in case if e.tag in ("failure", "error")), None)
         skip = case.find("skipped")
         if problem is not None:
@@ -45,8 +45,8 @@ def collect(folder):
     cases = []
     for path, found in results.items():
         if path.name.startswith("rostest-"):
-            # rostest repeats each of its programs as one case. That counts only where the program
-            # left no result of its own, or failed without saying so there.
+            # rostest repeats each of its programs as one case. That case counts only if the program
+            # left no result of its own, or failed without a failure in it.
             for name, outcome, reason in found:
                 program = name.rpartition(".test")[2]
                 own = results.get(path.parent / ("rosunit-%s.xml" % program), [])
@@ -69,7 +69,7 @@ def read_ctest_log(path):
 def main():
     log = pathlib.Path(sys.argv[2])
     cases = collect(pathlib.Path(sys.argv[1])) + read_ctest_log(log)
-    # Whatever else CTest calls a failure must not pass as success.
+    # Any other failure of CTest must not count as success.
     if "tests passed, 0 tests failed" not in log.read_text(errors="replace"):
         if all(outcome != "failed" for _, outcome, _ in cases):
             cases.append(("ctest", "failed", "no result names the reason, see %s" % log))
