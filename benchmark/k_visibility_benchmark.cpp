@@ -1,7 +1,8 @@
-// How long forwardKVisibility takes, beside walking a ray to every cell in the same run.
+// Measures the time of forwardKVisibility. A walk along a ray to every cell, in the same run, is
+// the reference.
 //
 // Usage: k_visibility_benchmark [PLAN]...
-// Besides the plans given, it runs on made-up office floors, tiled to 250..2000 cells a side.
+// It runs on the given plans, and on generated office floors, tiled to 250..2000 cells a side.
 
 #include <algorithm>
 #include <chrono>
@@ -21,11 +22,11 @@
 namespace sfw {
 namespace {
 
-constexpr int kRepetitions = 5;  // the best counts: the others were disturbed
+constexpr int kRepetitions = 5;  // the smallest time counts: other processes disturbed the others
 constexpr int kPlaces = 5;       // of access points
 constexpr std::size_t kRays = 20000;
 
-volatile std::size_t consumed = 0;  // so that nothing is optimised away
+volatile std::size_t consumed = 0;  // keeps the compiler from removing the work
 
 template <class Work>
 double milliseconds(Work&& work) {
@@ -58,7 +59,8 @@ std::vector<Position> freeCentres(const Grid<CellState>& plan) {
   return centres;
 }
 
-/// One ray to every free cell; a fair share of them is walked, and the time is scaled.
+/// Measures the walks along one ray to every free cell. It walks an even sample of the rays and
+/// scales the time.
 double raysMilliseconds(const Grid<CellState>& plan, const Position& access_point,
                         const std::vector<Position>& centres) {
   const std::size_t stride = centres.size() / std::min(centres.size(), kRays);

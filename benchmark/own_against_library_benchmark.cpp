@@ -1,10 +1,10 @@
-// How fast three hand-written parts of the mapper are, beside a library's part in the same run:
-// sums over rays against Eigen's sparse products, rows of Vecchia's factor against Eigen's Cholesky
-// factorisation, and nearest positions against the R-tree of Boost.
+// Compares three hand-written parts of the mapper with library code in the same run. Sums over rays
+// compete with Eigen's sparse products, and rows of Vecchia's factor with Eigen's Cholesky
+// factorisation. Nearest positions compete with the R-tree of Boost.
 //
 // Usage: own_against_library_benchmark
-// Runs on the bins of drives through a made-up office floor of 400 m2. Both parts of a pair run by
-// turns. Times are CPU times, so other processes on the machine hardly change the ratios.
+// It runs on the bins of drives through a generated office floor of 400 m2. Both parts of a pair
+// run in turns. Times are CPU times, so other processes on the machine hardly change the ratios.
 
 #include <Eigen/Cholesky>
 #include <Eigen/SparseCore>
@@ -38,7 +38,7 @@ constexpr double kBin = 0.2;   // [m]
 constexpr double kLine = 0.2;  // [m], edge of a cell of the lattice of walls
 constexpr int kNeighbours = 12;
 
-volatile double consumed = 0.0;  // so that nothing is optimised away
+volatile double consumed = 0.0;  // keeps the compiler from removing the work
 
 double cpuSeconds(const std::function<double()>& work) {
   const std::clock_t start = std::clock();
@@ -52,7 +52,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// Prints the least time of both and how many times longer the library takes.
+/// Prints the least time of both, and the ratio of the library's time to ours.
 void compare(const char* part, std::size_t size, const std::function<double()>& own,
              const std::function<double()>& library) {
   std::vector<double> own_s, library_s, ratios;
@@ -75,7 +75,7 @@ struct Drive {
   std::vector<Position> positions;
 };
 
-/// A position every 0.2 m of laps along the walls; each lap is 7 cm beside the one before.
+/// Positions every 0.2 m on laps along the walls. Each lap is 7 cm beside the previous one.
 Drive officeDrive(std::size_t count) {
   BuildingConfig building;
   building.kind = BuildingKind::kOffice;
@@ -120,7 +120,7 @@ Crossings crossings(const Drive& drive) {
   return {std::move(choice), unknowns.size()};
 }
 
-/// What one iteration does: sums over the rays, and sums over the pieces of wall.
+/// The work of one iteration: sums over the rays, and sums over the pieces of wall.
 void compareSums(const Drive& drive) {
   constexpr int kIterations = 120;
   const Crossings crossed = crossings(drive);
@@ -261,7 +261,7 @@ double nearestByCells(const std::vector<Position>& positions, const std::vector<
   return sum;
 }
 
-/// Nearest positions that are equally far come in any order: to sort them would cost more.
+/// Nearest positions at equal distance come in any order, because sorting would cost more.
 double nearestByTree(const std::vector<Position>& positions, const std::vector<int>& order) {
   namespace index = boost::geometry::index;
   using Point = boost::geometry::model::d2::point_xy<double>;

@@ -1,8 +1,9 @@
-// How long estimateWalls takes, beside dense products with the precision in the same run: what the
-// same solution would spend on them alone if shadowing were not sparse.
+// Measures the time of estimateWalls. Dense products with the precision, in the same run, are the
+// reference. Without sparse shadowing, the same solution would need these products.
 //
 // Usage: wall_field_benchmark [READINGS.csv ACCESS_POINTS.yaml]
-// Runs on a drive through a made-up office floor of 400 m2, and on a recording if one is given.
+// It runs on a drive through a generated office floor of 400 m2, and on a recording if one is
+// given.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -28,13 +29,13 @@
 namespace sfw {
 namespace {
 
-constexpr int kRepetitions = 3;  // the best counts: the others were disturbed
+constexpr int kRepetitions = 3;  // the smallest time counts: other processes disturbed the others
 constexpr double kBin = 0.2;     // [m]
 constexpr double kMargin = 1.0;  // [m]
 constexpr double kResolution = 0.05;
 constexpr double kRadius = 0.15;  // [m], of the robot
 
-volatile double consumed = 0.0;  // so that nothing is optimised away
+volatile double consumed = 0.0;  // keeps the compiler from removing the work
 
 template <class Work>
 double seconds(Work&& work) {
@@ -48,7 +49,8 @@ double seconds(Work&& work) {
   return best;
 }
 
-/// Products with dense matrices, as many as all members' solutions need; one is timed for each.
+/// The time of all products with dense matrices that the members' solutions need. One product of
+/// each matrix is measured.
 double denseSeconds(const std::vector<AccessPointBins>& heard, const WallFieldConfig& config) {
   double sum = 0.0;
   for (const AccessPointBins& one : heard) {
@@ -92,7 +94,7 @@ void measure(const std::string& name, const std::vector<AccessPointBins>& heard,
               dense / ours);
 }
 
-/// Bins every 0.2 m of a drive along the walls, again and again until there are enough.
+/// Bins every 0.2 m of a drive along the walls, repeated until there are enough.
 void measureOffice(std::size_t count, std::int64_t access_points) {
   BuildingConfig building;
   building.kind = BuildingKind::kOffice;

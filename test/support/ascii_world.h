@@ -25,7 +25,7 @@ Grid<T> gridFrom(const std::vector<std::string>& rows, double resolution, Conver
   return grid;
 }
 
-/// '.' free, '#' occupied, anything else unknown.
+/// A map: '.' is free, '#' is occupied, anything else is unknown.
 inline Grid<CellState> world(const std::vector<std::string>& rows, double resolution = 0.05,
                              const Position& origin = Position::Zero()) {
   const auto state = [](char c) {
@@ -34,7 +34,7 @@ inline Grid<CellState> world(const std::vector<std::string>& rows, double resolu
   return gridFrom<CellState>(rows, resolution, state, origin);
 }
 
-/// '#' in the set, anything else outside.
+/// A mask: '#' is in the set, anything else is outside.
 inline Mask mask(const std::vector<std::string>& rows) {
   return gridFrom<std::uint8_t>(rows, 1.0, [](char c) -> std::uint8_t { return c == '#'; });
 }

@@ -36,8 +36,8 @@ inline const Rows kRooms = {"############",  //
                             "#.....#....#",  //
                             "#.....#....#",  //
                             "############"};
-/// Misses the column x = 1, takes the wall x = 6 and a column behind it for free, and sets the far
-/// wall two cells too far.
+/// A map that misses the column x = 1. It calls the wall x = 6 and a column behind it free, and its
+/// far wall is two cells too far.
 inline const Rows kMap = {"????????????",  //
                           "#?......#???",  //
                           "#?......#???",  //

@@ -20,7 +20,7 @@ namespace sfw::test {
 using Picture = std::vector<std::string>;
 
 /// A drive drawn as a picture, top row first: '#' and small letters are cells of the path. Letters
-/// are also the positions driven, in alphabetical order. 'X' marks the cell that a test looks at.
+/// are also the positions driven, in alphabetical order. 'X' marks the cell under test.
 struct FeatureScene {
   Picture path;
   double resolution_m = 0.5;

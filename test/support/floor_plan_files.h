@@ -39,7 +39,7 @@ class FloorPlanFiles : public ::testing::Test {
     return "nothing";
   }
 
-  /// What readFloorPlan complains of, with the file's name in front taken off.
+  /// The error text of readFloorPlan, without the file's name at its start.
   static std::string complaintOf(const std::string& file, const FloorPlanOptions& options = {}) {
     const std::string text = complaint(file, options);
     EXPECT_EQ(text.rfind(file + ": ", 0), 0u) << text;

@@ -12,7 +12,7 @@ constexpr const char* kNoFloorPlans =
     "no floor plans: set SFW_SHARED to a folder with data/floorplans";
 
 /// Files of the floor plans that are not part of the repository, in order of their names: in
-/// $SFW_SHARED, or beside the repository. Empty where there are none.
+/// $SFW_SHARED, or beside the repository. Empty if there are none.
 inline std::vector<std::string> floorPlans() {
   const char* given = std::getenv("SFW_SHARED");
   const std::filesystem::path shared =

@@ -11,7 +11,8 @@
 
 namespace sfw::test {
 
-/// Runs of wall cells on the ray between two points, but for one that holds the access point.
+/// Number of runs of wall cells on the ray between two points, except a run that contains the
+/// access point.
 inline int runsOfWall(const Grid<CellState>& plan, const Position& access_point,
                       const Position& place) {
   int runs = 0;
@@ -25,13 +26,13 @@ inline int runsOfWall(const Grid<CellState>& plan, const Position& access_point,
   return runs;
 }
 
-/// What a simulated radio takes for the true count.
+/// The true wall count in a simulated radio.
 inline int radioCount(const Grid<CellState>& plan, const Position& access_point,
                       const Position& place) {
   return countWalls(plan, access_point, place);
 }
 
-/// Share of free cells where walking a ray to each counts as many walls.
+/// Share of free cells whose count equals that of a walk along the ray.
 template <class CountOnRay>
 double agreement(const Grid<CellState>& plan, const Position& access_point, CountOnRay&& count) {
   const Grid<std::uint8_t> k_map = forwardKVisibility(plan, access_point);
@@ -46,10 +47,10 @@ double agreement(const Grid<CellState>& plan, const Position& access_point, Coun
   return agree / free;
 }
 
-/// How well the inverse of the forward map finds the walls.
+/// Measures how well the inverse of the forward map finds the walls.
 struct InverseFigures {
   double found;    ///< share of the wall cells between two consecutive counts on a ray
-  double falsely;  ///< share of the cells called wall that are none
+  double falsely;  ///< share of the cells called wall that are not wall
 };
 
 /// Marks the wall cells that a ray meets between two consecutive counts.

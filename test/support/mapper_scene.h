@@ -27,7 +27,7 @@ inline Reading reading(std::int64_t stamp_s, double x, double y, double rssi_dbm
   return {stamp_s * 1000000000, {x, y}, bssid(number), rssi_dbm};
 }
 
-/// Counts walls on the raw signal, so that tests can spell wall counts in dB.
+/// Counts walls on the raw signal, so that tests can write wall counts in dB.
 inline Config rawConfig() {
   Config config;
   config.method = "k_visibility";
@@ -38,7 +38,7 @@ inline Config rawConfig() {
   return config;
 }
 
-/// 64-bit FNV-1a.
+/// The 64-bit FNV-1a hash.
 inline std::uint64_t hashOf(const std::string& bytes) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char c : bytes) {
@@ -47,7 +47,7 @@ inline std::uint64_t hashOf(const std::string& bytes) {
   return hash;
 }
 
-/// Of everything that a map says.
+/// The hash of the states, probabilities and report of a map.
 inline std::uint64_t hashOf(const Mapper& mapper) {
   const auto snapshot = mapper.infer();
   return hashOf(trinaryPgm(snapshot->belief) + probabilityPgm(snapshot->belief) +

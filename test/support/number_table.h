@@ -12,7 +12,8 @@ namespace sfw::test {
 /// Numbers of a grid's cells, top row first.
 using Table = std::vector<std::vector<double>>;
 
-/// Half a unit of the third decimal: expected numbers are worked out by hand.
+/// A tolerance of half a unit of the third decimal, because expected numbers were calculated by
+/// hand.
 constexpr double kByHand = 0.0006;
 
 inline void expectTable(const Grid<float>& values, const Table& table, double tolerance = kByHand) {
@@ -29,7 +30,7 @@ inline void expectTable(const Grid<float>& values, const Table& table, double to
   }
 }
 
-/// For a feature that is the same in all rows of a picture.
+/// Checks a feature that is the same in all rows of a picture.
 inline void expectEachRow(const Grid<float>& values, const std::vector<double>& row,
                           double tolerance = kByHand) {
   expectTable(values, Table(static_cast<std::size_t>(values.geometry.height()), row), tolerance);

@@ -44,7 +44,7 @@ inline std::vector<Transmitter> oneAt(const Position& position) {
   return asTransmitters({accessPointAt(position)});
 }
 
-/// Nothing random, nothing rounded.
+/// Settings without randomness and rounding.
 inline RadioModel::Config quietRadio() {
   RadioModel::Config config;
   config.shadowing_db = 0.0;

@@ -9,8 +9,8 @@
 
 namespace sfw::test {
 
-/// Settings with which cells of 1 m make readable pictures: a wall is a cell thick, the robot
-/// covers the cell it stands in, and neighbouring poses are not joined.
+/// Settings for readable pictures with cells of 1 m. A wall is a cell thick, and the robot covers
+/// one cell. Neighbouring poses are not joined.
 inline SparseInverseConfig coarseSettings() {
   SparseInverseConfig settings;
   settings.footprint_radius_m = 0.4;
@@ -20,8 +20,8 @@ inline SparseInverseConfig coarseSettings() {
   return settings;
 }
 
-/// What one access point hears, drawn on cells of 1 m: 'R' the access point, a digit a pose with
-/// so many walls.
+/// The poses of one access point, drawn on cells of 1 m. 'R' is the access point. A digit is a pose
+/// with that number of walls.
 inline CountedPath countedIn(const std::vector<std::string>& rows) {
   CountedPath counted;
   for (std::size_t row = 0; row < rows.size(); ++row) {

@@ -15,7 +15,7 @@ namespace sfw::test {
 constexpr const char* kNoRecordings =
     "no recordings: set SFW_SHARED to a folder with data/recordings";
 
-/// A real recording and where its access points stand.
+/// A real recording and the positions of its access points.
 struct RealRecording {
   std::string name;
   std::vector<Reading> readings;
@@ -23,7 +23,7 @@ struct RealRecording {
 };
 
 /// The real recordings that are not part of the repository: in $SFW_SHARED, or beside the
-/// repository. Empty where there are none.
+/// repository. Empty if there are none.
 inline std::vector<RealRecording> realRecordings() {
   const char* given = std::getenv("SFW_SHARED");
   const std::filesystem::path shared =

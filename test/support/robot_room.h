@@ -7,7 +7,7 @@
 
 namespace sfw::test {
 
-/// At full speed at once, whatever the speed, until told otherwise.
+/// A robot that reaches any commanded speed at once and keeps it until the next command.
 inline SimulatedRobot::Config quick() {
   SimulatedRobot::Config config;
   config.radius_m = 0.2;

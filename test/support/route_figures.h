@@ -22,7 +22,7 @@ inline Mask crossed(const GridGeometry& geometry, const std::vector<Position>& r
   return mask;
 }
 
-/// Free cells at some distance [m] from all that is not, centre to centre.
+/// Cells farther than a distance [m] from all cells that are not free, centre to centre.
 inline Mask freeAwayFromWalls(const Grid<CellState>& plan, double distance) {
   Mask walls(plan.geometry);
   for (std::size_t i = 0; i < walls.cells.size(); ++i) {
@@ -61,8 +61,8 @@ inline double coverage(const Grid<CellState>& plan, const std::vector<Position>&
   return covered / all;
 }
 
-/// Rooms of more than 3 m2, as doors of up to 0.9 m divide them, that the robot can get into; and
-/// how many of them a route enters.
+/// Rooms of more than 3 m2 that the robot can reach, divided at doors of up to 0.9 m. Also the
+/// number of rooms that a route enters.
 inline std::pair<int, int> roomsAndEntered(const Grid<CellState>& plan,
                                            const std::vector<Position>& route, double radius) {
   constexpr double kHalfDoor = 0.45;

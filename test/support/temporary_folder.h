@@ -9,7 +9,7 @@
 
 namespace sfw::test {
 
-/// A test with a folder of its own, gone afterwards.
+/// A test with its own folder, which is removed afterwards.
 class TemporaryFolder : public ::testing::Test {
  protected:
   void SetUp() override {
