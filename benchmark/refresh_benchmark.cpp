@@ -119,7 +119,7 @@ DriveData mappedDrive(const Mapper& mapper, const std::vector<AccessPoint>& acce
   return drive;
 }
 
-/// Of the first `count` bins of an access point.
+/// The precision of the first `count` bins of an access point.
 SignalPrecision precisionOf(AccessPointBins access_point, std::size_t count,
                             const SignalCovariance& model) {
   access_point.bins.resize(count);

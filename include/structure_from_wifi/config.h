@@ -52,7 +52,7 @@ struct Config {
     std::int64_t ensemble_size = 8;       ///< solutions that are averaged
   } tomography;                           ///< settings tomography/*
 
-  /// From probability to free, occupied and unknown.
+  /// The thresholds between free, occupied and unknown.
   struct Belief {
     double free_threshold = 0.2;       ///< free below this probability of being occupied
     double occupied_threshold = 0.65;  ///< occupied above it

@@ -7,8 +7,8 @@
 
 namespace sfw {
 
-/// Input that cannot be used. what() names the file, line or setting and says what to do; several
-/// problems stand one a line.
+/// Input that cannot be used. what() names the file, line or setting and the remedy. Each problem
+/// has its own line.
 class SFW_EXPORT InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

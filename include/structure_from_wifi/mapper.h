@@ -52,8 +52,8 @@ class SFW_EXPORT Mapper {
   /// @param count   number of readings
   void recordRejected(const std::string& reason, std::size_t count);
 
-  /// Moves all readings and contacts by the correction of a localisation. A reading or contact that
-  /// the map cannot hold at its new position is dropped and counted. O(readings log corrections).
+  /// Moves all readings and contacts by the correction of a localisation. A reading or contact is
+  /// dropped and counted if its new position does not fit the map. O(readings log corrections).
   void correct(const PathCorrection& correction);
 
   /// The extent of access points, path, contacts and the boxes of growTo() [m], without the map's

@@ -243,7 +243,7 @@ AccessPointLikelihood withBestShadowing(const AccessPointBins& access_point) {
   return std::move(*best);
 }
 
-/// Nothing if the readings cannot determine a position.
+/// The likelihood, or nothing if the readings cannot determine a position.
 std::optional<AccessPointLikelihood> likelihoodOf(const std::vector<Sample>& samples,
                                                   std::optional<double> height_m) {
   const AccessPointBins access_point = coarseBins(samples, height_m);

@@ -71,8 +71,8 @@ AccessPointLikelihood::Basis AccessPointLikelihood::basisAt(const Position& posi
   Eigen::ArrayXd squares =
       spaceDistance(away_x.square() + away_y.square(), access_point_.height_m).square();
   if (!access_point_.height_m) {
-    // Without a rise the distance could be 0, and readings near the access point would determine
-    // its position to the decimetre.
+    // Without a difference of height the distance could be 0. Then readings near the access point
+    // would determine its position to the decimetre.
     squares += kUsualRiseM * kUsualRiseM;
   }
   const Eigen::ArrayXd distance = squares.sqrt();

@@ -15,7 +15,7 @@ namespace {
 /// near the path.
 constexpr double kFarthestAccessPoint = 30.0;
 
-/// A grid that holds every described cell and the access points nearby.
+/// A grid that covers every described cell and the access points nearby.
 GridGeometry buildingGeometry(const std::vector<Position>& driven,
                               const std::vector<AccessPointBins>& access_points,
                               const Config::Map& config) {

@@ -55,7 +55,7 @@ void Progress::show() const {
                      static_cast<double>(all_ - done_)) +
            " left";
   }
-  // The blanks cover what a longer line left.
+  // The blanks cover the rest of a longer line.
   std::cerr << "\r[" << std::string(filled, '=') << std::string(kWidth - filled, ' ') << "] "
             << done_ << '/' << all_ << left << "        " << (done_ == all_ ? "\n" : "")
             << std::flush;

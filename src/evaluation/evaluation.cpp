@@ -37,7 +37,7 @@ double share(const Mask& set, const Mask& other) {
                     : static_cast<double>(count(both(set, other))) / static_cast<double>(whole);
 }
 
-/// As share, but nothing if the set is empty. It is for sets of the truth.
+/// Returns the same as share, but nothing if the set is empty. It is for sets of the truth.
 std::optional<double> shareIfAny(const Mask& set, const Mask& other) {
   return count(set) == 0 ? std::nullopt : std::optional(share(set, other));
 }

@@ -9,7 +9,7 @@
 
 namespace sfw {
 
-/// Edge [m] of the cells on which maps are compared, whatever their own resolution.
+/// Edge [m] of the cells on which maps of any resolution are compared.
 constexpr double kEvaluationResolutionM = 0.05;
 
 /// Measures how well the cells called free match the truth's free region.

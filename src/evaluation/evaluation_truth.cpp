@@ -47,7 +47,7 @@ std::vector<Position> withoutRepeats(std::vector<Position> path) {
   return path;
 }
 
-/// The component of free cells that holds most positions of the path.
+/// The component of free cells that contains most positions of the path.
 Mask regionOf(const Mask& free, const std::vector<Position>& path) {
   const Components components = labelComponents(free);
   std::vector<std::size_t> positions_on(static_cast<std::size_t>(components.count) + 1, 0);

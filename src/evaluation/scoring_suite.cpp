@@ -108,7 +108,7 @@ std::vector<BenchmarkMethod> benchmarkMethods() {
       {"tomography", "fused belief", false, [](Config& config) { config.method = "tomography"; }},
       {"k_visibility", "K-means k", true, [](Config& config) {
          config.method = "k_visibility";
-         // As in config/k_visibility.yaml, unless the user chose a threshold.
+         // The threshold of config/k_visibility.yaml, unless the user chose another.
          constexpr double kFreeThreshold = 0.35;
          if (config.belief.free_threshold == Config().belief.free_threshold) {
            config.belief.free_threshold = kFreeThreshold;

@@ -22,7 +22,7 @@ struct MapFile {
   bool negate;
   double occupied_threshold;
   double free_threshold;
-  double decibels_per_step;  // 0 if the file does not say
+  double decibels_per_step;  // 0 if the file has none
 
   double occupied(Cell c) const {
     const auto row = image.height - 1 - c.y;

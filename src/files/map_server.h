@@ -9,8 +9,8 @@ namespace sfw {
 /// Reads a map as map_server writes it: YAML beside a PGM (P2 or P5, 8 bit).
 ///
 /// The keys negate, occupied_thresh and free_thresh of the file turn pixels into states.
-/// @throw InputError naming the file if it cannot be read, is cut short, is rotated (yaw other
-/// than 0), has another image type or mode (`raw`), or holds an invalid value.
+/// @throw InputError naming the file if it cannot be read, is cut short, is rotated (yaw other than
+/// 0), has another image type or mode (`raw`), or contains an invalid value.
 Grid<CellState> readMap(const std::string& yaml_file);
 
 /// Reads the probability of being occupied of each pixel, in [0, 1].

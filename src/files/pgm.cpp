@@ -35,7 +35,7 @@ class PgmText {
     return value;
   }
 
-  /// Where the pixels of a P5 start: after exactly one blank.
+  /// The start of the pixels of a P5: after exactly one blank.
   std::size_t pixels() const { return at_ + 1; }
 
  private:

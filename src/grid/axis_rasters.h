@@ -13,7 +13,7 @@ namespace sfw {
 /// as 0. Linear in cells.
 Grid<float> rowMean(const Grid<float>& values, std::int64_t reach);
 
-/// As rowMean, in each column.
+/// Calculates the mean as rowMean does, but in each column.
 Grid<float> columnMean(const Grid<float>& values, std::int64_t reach);
 
 /// Mean over the square of cells within `reach` cells of each cell. Cells outside the grid count as

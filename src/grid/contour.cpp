@@ -7,7 +7,7 @@
 namespace sfw {
 namespace {
 
-/// East, north, west, south: each a left turn from the one before.
+/// East, north, west, south: each is a left turn from the previous one.
 constexpr std::array<Cell, 4> kHeadings{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 
 unsigned leftOf(unsigned heading) { return (heading + 1) % 4; }

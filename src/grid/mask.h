@@ -6,7 +6,7 @@
 
 namespace sfw {
 
-/// A set of cells: 0 is outside of it, anything else inside.
+/// A set of cells: 0 is outside, any other value is inside.
 using Mask = Grid<std::uint8_t>;
 
 }  // namespace sfw

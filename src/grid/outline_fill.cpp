@@ -9,7 +9,7 @@ namespace {
 /// The two directions in which the outline is cut into lines through cell centres.
 enum class Lines { kRows, kColumns };
 
-/// Where the outline crosses each line, in cells along the line, ascending.
+/// The crossings of the outline with each line, in cells along the line, ascending.
 std::vector<std::vector<double>> crossings(const std::vector<Position>& outline,
                                            const GridGeometry& geometry, Lines lines) {
   const int along = lines == Lines::kRows ? 0 : 1;
@@ -62,7 +62,7 @@ void keepThinWalls(const std::vector<Position>& outline, Lines lines, Grid<CellS
       const double from = all[line][i];
       const double to = all[line][i + 1];
       if (std::ceil(from - 0.5) < std::ceil(to - 0.5)) {
-        continue;  // it holds a centre
+        continue;  // it contains a centre
       }
       const auto at = static_cast<std::int64_t>(std::floor(0.5 * (from + to)));
       const auto of = static_cast<std::int64_t>(line);

@@ -8,7 +8,7 @@ namespace sfw {
 
 /// Fills a closed outline (even-odd rule): cells whose centres lie inside become free.
 ///
-/// Walls inside the outline that are too thin to hold a centre become occupied; all other cells
+/// Walls inside the outline that are too thin to contain a centre become occupied. All other cells
 /// stay unknown.
 /// @param outline  vertices [m] in the frame of `geometry`, the last joined to the first, all
 /// within the grid; fewer than three have no inside. O(cells + n log n), n being the rows and

@@ -35,7 +35,7 @@ class Ray {
     });
   }
 
-  /// As forEachCell, until `visit(Cell)` returns false.
+  /// Calls `visit(Cell)` as forEachCell does, until it returns false.
   template <class Visitor>
   void forEachCellWhile(Visitor&& visit) const;
 

@@ -42,7 +42,7 @@ struct ConeSweep::BorderCursor {
 
 /// The walls on both sides of the line between two rows.
 struct ConeSweep::Crossing {
-  /// Where either changes next.
+  /// The next position at which either side changes.
   std::int64_t change() const { return std::min(*out.next, *in.next); }
 
   WallCount here(WallCount count) const { return advance(count, out.isWall(), in.isWall()); }

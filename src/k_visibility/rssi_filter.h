@@ -12,7 +12,7 @@ namespace sfw {
 /// @param window  odd, at least 1 (1 returns the input)
 std::vector<double> slidingMedian(const std::vector<double>& values, std::size_t window);
 
-/// As slidingMedian, with the mean.
+/// Smooths as slidingMedian does, with the mean.
 std::vector<double> slidingMean(const std::vector<double>& values, std::size_t window);
 
 /// Adds the loss by distance back to a signal: the result is the signal at 1 m [dBm], weakened by

@@ -56,7 +56,7 @@ class Histogram {
 std::vector<double> bestCentroids(const Histogram& histogram, std::size_t groups) {
   const std::size_t bins = histogram.size();
   groups = std::min(groups, bins);
-  // cost[n]: least scatter of the first n bins in g groups; begin[g][n]: where the last one starts.
+  // cost[n]: least scatter of the first n bins in g groups; begin[g][n]: start of the last group.
   std::vector<double> cost(bins + 1, std::numeric_limits<double>::infinity());
   cost[0] = 0.0;
   std::vector<std::vector<std::size_t>> begin(groups + 1, std::vector<std::size_t>(bins + 1, 0));
@@ -93,7 +93,8 @@ double leastGap(const std::vector<double>& ascending) {
   return least;
 }
 
-/// How much nearer the values are to their own centroid than to the next one: 0 to 1.
+/// The mean silhouette: it measures how much nearer values are to their own centroid than to the
+/// next one, 0 to 1.
 double meanSilhouette(const Histogram& histogram, const std::vector<double>& centroids) {
   double sum = 0.0;
   double count = 0.0;

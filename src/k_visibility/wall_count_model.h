@@ -16,8 +16,8 @@ class WallCountModel {
   /// groups give fewer walls. The model of an empty input counts 0 walls for every signal.
   static WallCountModel fit(const std::vector<double>& rssi_dbm, std::size_t walls);
 
-  /// As fit(), with the K in 1..`max_walls` of the highest mean silhouette (Rousseeuw 1987, with
-  /// distances to group means). Only models whose neighbouring centroids are at least
+  /// Fits as fit() does, with the K in 1..`max_walls` of the highest mean silhouette (Rousseeuw
+  /// 1987, with distances to group means). Only models whose neighbouring centroids are at least
   /// `min_wall_loss_db` apart count, since closer groups are noise cut in two. K is 0 if there is
   /// no such model.
   static WallCountModel choose(const std::vector<double>& rssi_dbm, std::size_t max_walls,

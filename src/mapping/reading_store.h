@@ -14,7 +14,8 @@
 
 namespace sfw {
 
-/// Keeps readings and contacts, rejects those that a map cannot use, and knows the map's extent.
+/// Stores readings and contacts, rejects those that a map cannot use, and calculates the map's
+/// extent.
 ///
 /// Mapper documents the functions of the same names. Not thread-safe.
 class ReadingStore {

@@ -16,7 +16,7 @@ struct KMap {
 
 /// Reads a k map: k.pgm with k.yaml (image, resolution, origin, access_point) beside it.
 /// @param file either of the two
-/// @throw InputError naming the file and what is wrong with it.
+/// @throw InputError naming the file and its problem.
 KMap readKMap(const std::string& file);
 
 /// Writes k.pgm, k.yaml and k.png, the picture in the colours of wallCountColour, into a directory

@@ -15,8 +15,8 @@ struct Column {
   float log_odds = 0.0F;
 };
 
-/// Builds the pruned tree that holds a column of voxels on each cell. It builds from the root down,
-/// so equal voxels are merged from the start.
+/// Builds the pruned tree with a column of voxels on each cell. It builds from the root down, so
+/// equal voxels are merged from the start.
 ///
 /// @param columns  their resolution is the tree's
 /// @param first    voxel of the first cell, from the map's origin; all lie within 32768 of it

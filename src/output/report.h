@@ -9,7 +9,7 @@
 namespace sfw {
 
 /// The text of report.json: version, notes, access points with their models, rejected readings,
-/// areas and settings. It holds no time of day, so the same input gives the same bytes.
+/// areas and settings. It contains no time of day, so the same input gives the same bytes.
 std::string reportJson(const Snapshot& snapshot, const Config& config,
                        const DataFindings& findings = {});
 

@@ -17,8 +17,8 @@ namespace {
 /// as likely as anywhere else over this distance.
 constexpr double kWallClearanceScaleM = 0.2;
 
-/// The number with its digits in a base mirrored about the point (van der Corput 1935): shifts that
-/// fill [0, 1) evenly, however many there are.
+/// The number with its digits in a base mirrored about the point (van der Corput 1935): any number
+/// of such shifts fills [0, 1) evenly.
 double vanDerCorput(int number, int base) {
   double value = 0.0;
   double digit = 1.0 / base;

@@ -22,7 +22,7 @@ struct TrainingDrive {
 /// Simulates a drive through a building, as varied as real drives (doc/method/belief.md).
 ///
 /// - up to three rectangles are cut out of the building, as if they were inaccessible;
-/// - along walls and on patrols, furniture often stands in the way of the robot, not of the radio;
+/// - along walls and on patrols, furniture often blocks the robot, but not the radio;
 /// - the robot has a radius of 1 to 15 cm, because small robots come that close to the walls of a
 ///   lidar's map. It follows walls tightly or loosely and cuts corners, or it patrols, or it
 ///   strolls up to the walls. It covers all or a part of the building;

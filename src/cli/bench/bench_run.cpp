@@ -116,7 +116,7 @@ class Bench {
     try {
       at_once = runJob(i);
     } catch (const std::system_error&) {
-      throw;  // no later result could be kept either
+      throw;  // no later result could be stored either
     } catch (const std::bad_alloc&) {
       throw;
     } catch (const std::exception& error) {

@@ -20,8 +20,8 @@ struct RosSettings {
   double jump_distance_m = 0.1;             ///< a larger correction of odom_frame moves the past
   double jump_angle_rad = 0.05;             ///< a larger turn of odom_frame moves it too
   double publish_rate_hz = 1.0;             ///< upper limit of map updates
-  double transform_timeout_s = 5.0;         ///< how long a scan waits for its transform
-  double tf_cache_s = 30.0;                 ///< how long transforms are kept
+  double transform_timeout_s = 5.0;         ///< longest wait of a scan for its transform
+  double tf_cache_s = 30.0;                 ///< time for which transforms are stored
   std::int64_t max_waiting = 2000;          ///< scans that may wait for a transform
   std::string save_directory = "~/.ros/structure_from_wifi";  ///< of ~save_map
 };

@@ -18,7 +18,7 @@ double yawOf(const geometry_msgs::Quaternion& q) {
   return std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));
 }
 
-/// The antenna and the odometry at a time, if tf knows both.
+/// The antenna and the odometry at a time, if tf has both.
 std::optional<OdometryCorrection> correctionAt(const ros::Time& stamp, const RosSettings& config,
                                                const tf2::BufferCore& transforms) {
   if (config.odom_frame == config.map_frame || stamp.isZero() ||

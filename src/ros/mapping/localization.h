@@ -17,7 +17,7 @@ namespace sfw {
 struct LocatedObservation {
   std::vector<Reading> readings;
   std::vector<Contact> contacts;
-  std::optional<OdometryCorrection> correction;  ///< empty if tf does not know ros/odom_frame
+  std::optional<OdometryCorrection> correction;  ///< empty if tf does not have ros/odom_frame
 };
 
 /// Looks up in tf where an observation was made. Never waits.
@@ -26,7 +26,7 @@ struct LocatedObservation {
 std::optional<LocatedObservation> locate(const Observation& observation, const RosSettings& config,
                                          const tf2::BufferCore& transforms, std::string& tf_error);
 
-/// Looks up the latest position of the antenna and correction of the odometry, if tf knows both.
+/// Looks up the latest position of the antenna and correction of the odometry, if tf has both.
 std::optional<OdometryCorrection> latestCorrection(const RosSettings& config,
                                                    const tf2::BufferCore& transforms);
 

@@ -28,7 +28,7 @@ std::string withHome(const std::string& directory) {
   return starts_at_home && home != nullptr ? home + directory.substr(1) : directory;
 }
 
-/// Whether a directory holds a recording with readings.
+/// Whether a directory contains a recording with readings.
 bool holdsReadings(const std::string& directory) {
   std::ifstream file(directory + "/readings.csv");
   std::string line;

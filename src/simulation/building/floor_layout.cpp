@@ -27,7 +27,7 @@ struct Share {
   int width;
 };
 
-/// Draws one of the choices that the row may still hold; the first if there is none left.
+/// Draws one of the choices that the row may still take; the first if none is left.
 RoomChoice draw(const std::vector<RoomChoice>& choices, const std::vector<Share>& row,
                 PortableRandom& random) {
   std::vector<int> weights;

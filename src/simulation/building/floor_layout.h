@@ -39,7 +39,7 @@ struct LayoutRoom {
   Rect rect;
 };
 
-/// The axis along which a row of rooms stands.
+/// The axis of a row of rooms.
 enum class Axis { kX, kY };
 
 /// Random whole numbers for layouts that are the same on every machine, unlike those of
@@ -63,7 +63,7 @@ class PortableRandom {
 /// A side of a rectangle.
 enum class Side { kLeft, kBottom, kRight, kTop };
 
-/// A kind of room that a row may hold, with its widths along the row.
+/// A kind of room that a row may contain, with its widths along the row.
 struct RoomChoice {
   RoomKind kind;
   int least_width;    ///< [cm]

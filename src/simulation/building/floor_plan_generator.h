@@ -32,8 +32,8 @@ std::vector<std::string> validate(const BuildingConfig& config);
 ///
 /// Rooms lie on one or both sides of a corridor, in one wing, in two wings at a right angle, or
 /// around a core. Interior walls are 0.1 to 0.2 m thick, outer walls 0.25 to 0.35 m. Doors of 0.8
-/// to 0.9 m stand open, living rooms and open-plan offices have wide openings, the entrance is
-/// shut. A robot of 0.25 m radius gets into every room.
+/// to 0.9 m are open. Living rooms and open-plan offices have wide openings. The entrance is shut.
+/// A robot of 0.25 m radius gets into every room.
 ///
 /// The layout is drawn in whole centimetres by integer arithmetic alone. So one seed gives one
 /// building on every machine, up to the last bit of sine and cosine if the building is rotated.

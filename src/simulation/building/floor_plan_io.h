@@ -30,7 +30,7 @@ std::vector<std::string> validate(const FloorPlanOptions& options);
 ///   border are outside the building.
 ///
 /// Walls get their materials from withMaterials.
-/// @throw InputError naming the file and what is wrong: unreadable, malformed, without free cells,
+/// @throw InputError naming the file and its problem: unreadable, malformed, without free cells,
 /// larger than 64 million cells, or an option out of range or missing.
 /// O(cells + rows and columns crossed by the outline).
 FloorPlan readFloorPlan(const std::string& file, const FloorPlanOptions& options = {});

@@ -37,7 +37,7 @@ std::int64_t headerNumber(std::string_view bytes, std::size_t at) {
   return value;
 }
 
-/// @throw InputError before anything is allocated for the pixels.
+/// @throw InputError before any allocation for the pixels.
 void requireFits(const std::string& file, std::string_view bytes, std::int64_t max_cells) {
   constexpr std::size_t kWidthAt = 16;
   constexpr std::size_t kHeightAt = 20;

@@ -15,7 +15,8 @@ namespace sfw {
 /// the mean of many fields. Immutable.
 class RandomField {
  public:
-  /// How the correlation of two positions falls with their distance d. Both are 1/e at the length.
+  /// The form of the correlation of two positions over their distance d. Both forms are 1/e at the
+  /// length.
   enum class Kind {
     kRough,  ///< exp(-d / length), the usual form for shadowing (Gudmundson 1991)
     kSmooth  ///< exp(-(d / length)^2), without detail far below the length

@@ -32,7 +32,7 @@ class ConfigurationSpace {
   /// The distance to the nearest centre of a cell that is not free.
   double clearance(Cell c) const { return clearance_[c]; }
 
-  /// Whether the robot can reach a cell. Before keepConnectedTo: whether it can stand there.
+  /// Whether the robot can reach a cell. Before keepConnectedTo: whether the robot fits there.
   bool contains(Cell c) const { return geometry().contains(c) && within_[c] != 0; }
   const Mask& cells() const { return within_; }
 

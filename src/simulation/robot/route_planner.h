@@ -10,7 +10,7 @@
 
 namespace sfw {
 
-/// How thoroughly a route covers a building.
+/// The density with which a route covers a building.
 enum class RouteKind {
   kWalls,  ///< along the walls of every room at a clearance, then across its middle
   kSparse  ///< a patrol of a few way points a room
