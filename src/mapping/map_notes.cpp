@@ -173,7 +173,8 @@ void addNoteOnStrength(const Snapshot& snapshot, Notes& notes) {
   }
 }
 
-/// An access point without readings may simply be far away. The note gives its name.
+/// An access point without readings may simply be far away. The note gives its name, so that the
+/// user can look for it.
 void addNoteOnSilence(const Snapshot& snapshot, Notes& notes) {
   constexpr std::size_t kMostNamed = 5;
   std::string names;

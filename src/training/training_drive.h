@@ -25,7 +25,7 @@ struct TrainingDrive {
 /// - along walls and on patrols, furniture often blocks the robot, but not the radio;
 /// - the robot has a radius of 1 to 15 cm, because small robots come that close to the walls of a
 ///   lidar's map. It follows walls tightly or loosely and cuts corners, or it patrols, or it
-///   strolls up to the walls. It covers all or a part of the building;
+///   strolls: it roams around on the way, up to the walls. It covers all or a part of the building;
 /// - the radio is `realistic`, seldom `moderate` or `hard`, with walls of 2 to 11 dB, and 1 to 5
 ///   access points.
 ///

@@ -34,7 +34,7 @@ struct Observation {
   std::variant<UnlocatedReading, UnlocatedContacts> content;
 };
 
-/// The usable observations of a message, and a count of the others.
+/// The usable observations of a message, with the count and the problem of the others.
 struct Conversion {
   std::vector<Observation> observations = {};
   std::size_t rejected = 0;  ///< readings or clouds left out
