@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "ros/conversion/message_conversion.h"
 #include "structure_from_wifi/input_error.h"
 
 namespace sfw {
@@ -18,18 +19,6 @@ ros::Time toTime(std::int64_t stamp_ns) {
   return stamp;
 }
 
-geometry_msgs::TransformStamped transform(const ros::Time& stamp, const std::string& parent,
-                                          const std::string& child, const Position& position) {
-  geometry_msgs::TransformStamped message;
-  message.header.stamp = stamp;
-  message.header.frame_id = parent;
-  message.child_frame_id = child;
-  message.transform.translation.x = position.x();
-  message.transform.translation.y = position.y();
-  message.transform.rotation.w = 1.0;
-  return message;
-}
-
 using Readings = std::vector<Reading>;
 
 /// Writes the transforms and the scan of all readings of one stamp.
@@ -37,8 +26,9 @@ void writeScan(rosbag::Bag& bag, Readings::const_iterator begin, Readings::const
                const RosSettings& frames) {
   const ros::Time stamp = toTime(begin->stamp_ns);
   tf2_msgs::TFMessage tf;
-  tf.transforms = {transform(stamp, frames.map_frame, "odom", Position::Zero()),
-                   transform(stamp, "odom", frames.antenna_frame, begin->antenna_in_map)};
+  tf.transforms = {
+      toPlanarTransform(stamp, frames.map_frame, "odom", Position::Zero(), 0.0),
+      toPlanarTransform(stamp, "odom", frames.antenna_frame, begin->antenna_in_map, 0.0)};
   bag.write("/tf", stamp, tf);
   structure_from_wifi::WifiScan scan;
   scan.header.stamp = stamp;

@@ -88,6 +88,20 @@ geometry_msgs::Point toPoint(const Position& position, double z) {
   return point;
 }
 
+geometry_msgs::TransformStamped toPlanarTransform(const ros::Time& stamp, const std::string& parent,
+                                                  const std::string& child,
+                                                  const Position& position, double yaw_rad) {
+  geometry_msgs::TransformStamped message;
+  message.header.stamp = stamp;
+  message.header.frame_id = parent;
+  message.child_frame_id = child;
+  message.transform.translation.x = position.x();
+  message.transform.translation.y = position.y();
+  message.transform.rotation.z = std::sin(0.5 * yaw_rad);
+  message.transform.rotation.w = std::cos(0.5 * yaw_rad);
+  return message;
+}
+
 nav_msgs::MapMetaData toMetaData(const GridGeometry& geometry, const ros::Time& load_time) {
   nav_msgs::MapMetaData info;
   info.map_load_time = load_time;

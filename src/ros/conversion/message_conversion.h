@@ -1,11 +1,14 @@
 #pragma once
 
 #include <geometry_msgs/Point.h>
+#include <geometry_msgs/TransformStamped.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <nav_msgs/Path.h>
 #include <octomap_msgs/Octomap.h>
 #include <std_msgs/Header.h>
 #include <structure_from_wifi/AccessPoints.h>
+
+#include <string>
 
 #include "structure_from_wifi/config.h"
 #include "structure_from_wifi/data_checks.h"
@@ -19,6 +22,11 @@ class OcTree;
 namespace sfw {
 
 geometry_msgs::Point toPoint(const Position& position, double z);
+
+/// The transform of a child frame at a position [m] and heading in its parent frame's plane.
+geometry_msgs::TransformStamped toPlanarTransform(const ros::Time& stamp, const std::string& parent,
+                                                  const std::string& child,
+                                                  const Position& position, double yaw_rad);
 
 /// The extent of a grid, unrotated.
 nav_msgs::MapMetaData toMetaData(const GridGeometry& geometry, const ros::Time& load_time);

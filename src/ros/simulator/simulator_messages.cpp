@@ -1,25 +1,10 @@
 #include "ros/simulator/simulator_messages.h"
 
-#include <cmath>
 #include <optional>
 
+#include "ros/conversion/message_conversion.h"
+
 namespace sfw {
-namespace {
-
-geometry_msgs::TransformStamped transformMessage(const ros::Time& stamp, const std::string& parent,
-                                                 const std::string& child, const RobotPose& pose) {
-  geometry_msgs::TransformStamped message;
-  message.header.stamp = stamp;
-  message.header.frame_id = parent;
-  message.child_frame_id = child;
-  message.transform.translation.x = pose.position.x();
-  message.transform.translation.y = pose.position.y();
-  message.transform.rotation.z = std::sin(0.5 * pose.yaw_rad);
-  message.transform.rotation.w = std::cos(0.5 * pose.yaw_rad);
-  return message;
-}
-
-}  // namespace
 
 std_msgs::Bool boolMessage(bool value) {
   std_msgs::Bool message;
@@ -37,8 +22,10 @@ std::vector<geometry_msgs::TransformStamped> transformMessages(const SimulatorCo
   const Position drifted = pose.position + error.drift(driven_m);
   const RobotPose odom_from_base{Eigen::Rotation2Dd(-yaw) * (drifted - origin), pose.yaw_rad - yaw};
   const RobotPose map_from_odom{origin + error.registration(pose.position), yaw};
-  return {transformMessage(stamp, config.map_frame, config.odom_frame, map_from_odom),
-          transformMessage(stamp, config.odom_frame, config.base_frame, odom_from_base)};
+  return {toPlanarTransform(stamp, config.map_frame, config.odom_frame, map_from_odom.position,
+                            map_from_odom.yaw_rad),
+          toPlanarTransform(stamp, config.odom_frame, config.base_frame, odom_from_base.position,
+                            odom_from_base.yaw_rad)};
 }
 
 structure_from_wifi::WifiScan scanMessage(const RadioModel& radio, const RobotPose& pose,
