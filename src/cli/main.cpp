@@ -53,7 +53,7 @@ void printHelp(std::ostream& out) {
 }
 
 /// @throw InputError if there is no such subcommand
-const Command& commandNamed(std::string name) {
+Command commandNamed(std::string name) {
   if (name == kFormerChooseSites) {
     warn("sfw place is now called sfw choose-sites; a later release will refuse the former name");
     name = "choose-sites";
@@ -78,7 +78,7 @@ void run(const std::vector<std::string>& arguments) {
   } else if (first == "--version") {
     std::cout << "sfw " << version() << '\n';
   } else {
-    const Command& command = commandNamed(first);
+    const Command command = commandNamed(first);
     Options options(command.name, command.purpose, {arguments.begin() + 1, arguments.end()});
     command.run(options);
   }
