@@ -65,6 +65,8 @@ TEST(Tomography, FindsFreeSpaceAndHearsWallsInAFlat) {
   EXPECT_GE(*evaluation.map.radio->auc, 0.9);
   EXPECT_GE(*evaluation.map.radio->auc_off_path, 0.7);
   EXPECT_EQ(snapshot->tomography->style.along_walls, 1.0);
+  EXPECT_EQ(snapshot->tomography->style.patrol, 0.0);
+  EXPECT_EQ(snapshot->tomography->style.stroll, 0.0);
 }
 
 TEST(Tomography, HearsNothingInSignalsAtWrongPlaces) {
