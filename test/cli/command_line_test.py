@@ -41,6 +41,7 @@ class Help(CommandLine):
 
     def test_the_programs_help_names_its_commands(self):
         text = self.good(self.sfw("--help")).stdout
+        self.assertIn("Usage: sfw", text)
         for command in COMMANDS:
             self.assertIn(command, text)
 

@@ -40,11 +40,11 @@ void expectSensible(const LayoutRoom& room, std::uint64_t seed) {
 TEST(FloorLayout, RoomsHaveSensibleSizes) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const int area_m2 = 30 + static_cast<int>(seed * 37 % 371);
-    for (const LayoutRoom& room : flatOf(area_m2, seed)) {
-      expectSensible(room, seed);
-    }
-    for (const LayoutRoom& room : officeOf(area_m2, seed)) {
-      expectSensible(room, seed);
+    for (const std::vector<LayoutRoom>& rooms : {flatOf(area_m2, seed), officeOf(area_m2, seed)}) {
+      EXPECT_FALSE(rooms.empty()) << "seed " << seed;
+      for (const LayoutRoom& room : rooms) {
+        expectSensible(room, seed);
+      }
     }
   }
 }
