@@ -180,11 +180,11 @@ class Prediction {
               .push_back({readings_[i].antenna_in_map, readings_[i].rssi_dbm});
         }
       }
-      const auto inBins = [&](const std::vector<Sample>& samples) {
+      const auto binned = [&](const std::vector<Sample>& samples) {
         return binSamples(samples, access_point.position, access_point.height_m, frame_,
                           config_.bin_size_m);
       };
-      Part part{inBins(known), inBins(hidden)};
+      Part part{binned(known), binned(hidden)};
       if (part.known.bins.size() >= kFewestBins && !part.hidden.bins.empty()) {
         parts.push_back(std::move(part));
       }
@@ -194,6 +194,7 @@ class Prediction {
 
   void predict(const Mask& path, const std::vector<Part>& parts, const std::atomic<bool>& stop) {
     std::vector<AccessPointBins> known;
+    known.reserve(parts.size());
     for (const Part& part : parts) {
       known.push_back(part.known);
     }

@@ -92,16 +92,20 @@ Grid<CellState> denseInverseKVisibility(const Grid<std::uint8_t>& k_map,
     const Position end = geometry.origin() + geometry.resolution() * Position(x, y);
     followRay(k_map, Ray(geometry, access_point, end), walls_are_marked, between, plan);
   };
-  // Sixteen rays go to each cell of the rim, so that rays miss hardly any wall cell.
+  // Rays must miss hardly any wall cell.
+  constexpr std::int64_t kRaysPerCell = 16;  // of the rim
+  const auto along = [](std::int64_t ray) {
+    return (static_cast<double>(ray) + 0.5) / static_cast<double>(kRaysPerCell);
+  };
   const auto width = static_cast<double>(geometry.width());
   const auto height = static_cast<double>(geometry.height());
-  for (double x = 0.03125; x < width; x += 0.0625) {
-    follow(x, 0.5);
-    follow(x, height - 0.5);
+  for (std::int64_t ray = 0; ray < kRaysPerCell * geometry.width(); ++ray) {
+    follow(along(ray), 0.5);
+    follow(along(ray), height - 0.5);
   }
-  for (double y = 0.03125; y < height; y += 0.0625) {
-    follow(0.5, y);
-    follow(width - 0.5, y);
+  for (std::int64_t ray = 0; ray < kRaysPerCell * geometry.height(); ++ray) {
+    follow(0.5, along(ray));
+    follow(width - 0.5, along(ray));
   }
   // One more ray goes to each counted cell beside a cell without a count.
   forEachCell(geometry, [&](Cell c) {

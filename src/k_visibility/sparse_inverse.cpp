@@ -164,7 +164,7 @@ std::vector<Position> densified(const std::vector<Position>& path, double spacin
     }
     const int parts = static_cast<int>(std::ceil(way.norm() / spacing_m));
     for (int part = 1; part < parts; ++part) {
-      dense.push_back(path[i] + way * (static_cast<double>(part) / parts));
+      dense.emplace_back(path[i] + way * (static_cast<double>(part) / parts));
     }
   }
   return dense;

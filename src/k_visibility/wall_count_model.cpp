@@ -101,6 +101,7 @@ double meanSilhouette(const Histogram& histogram, const std::vector<double>& cen
   for (std::size_t bin = 0; bin < histogram.size(); ++bin) {
     const double value = histogram.value(bin);
     std::vector<double> distances;
+    distances.reserve(centroids.size());
     for (const double centroid : centroids) {
       distances.push_back(std::abs(value - centroid));
     }

@@ -214,15 +214,15 @@ void ReadingStore::correct(const PathCorrection& correction) {
 bool ReadingStore::reserveAll() {
   Box extent = reserved_extent_;
   bool finite = true;
-  const auto extendBy = [&](const Position& point) {
+  const auto include = [&](const Position& point) {
     finite = finite && point.allFinite();
     extent.extend(point);
   };
   for (const Reading& reading : readings_) {
-    extendBy(reading.antenna_in_map);
+    include(reading.antenna_in_map);
   }
   for (const Contact& contact : contacts_) {
-    extendBy(contact.point_in_map);
+    include(contact.point_in_map);
   }
   if (!finite || !fits(extent)) {
     return false;
@@ -232,24 +232,24 @@ bool ReadingStore::reserveAll() {
 }
 
 void ReadingStore::dropWhatDoesNotFit() {
-  const auto keepIf = [&](auto&& examineOne) {
-    const auto isDropped = [&](const Position& point) {
+  const auto filter = [&](auto&& examineOne) {
+    const auto drops = [&](const Position& point) {
       const InsertResult result = examineOne(point);
       if (result != InsertResult::kAccepted) {
         ++rejections_.count[result];
       }
       return result != InsertResult::kAccepted;
     };
-    eraseIf(readings_, [&](const Reading& one) { return isDropped(one.antenna_in_map); });
-    eraseIf(contacts_, [&](const Contact& one) { return isDropped(one.point_in_map); });
+    eraseIf(readings_, [&](const Reading& one) { return drops(one.antenna_in_map); });
+    eraseIf(contacts_, [&](const Contact& one) { return drops(one.point_in_map); });
   };
-  keepIf([](const Position& point) {
+  filter([](const Position& point) {
     return point.allFinite() ? InsertResult::kAccepted : InsertResult::kPositionNotFinite;
   });
   // Stray poses are found on the whole corrected path, before any reading is dropped.
   const Box extent = extentOf(inliers());
   reserved_extent_ = fits(extent) ? extent : least_extent_;
-  keepIf([&](const Position& point) { return reserve(point); });
+  filter([&](const Position& point) { return reserve(point); });
 }
 
 void ReadingStore::growTo(const Box& extent) {

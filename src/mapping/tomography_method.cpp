@@ -36,14 +36,14 @@ TomographySummary::YawSource toYawSource(BuildingFrame::Source source) {
 }
 
 TomographySummary summaryOf(FusedBelief&& fused) {
-  const auto shareOf = [&](DrivingStyle style) {
+  const auto share = [&](DrivingStyle style) {
     return fused.style[static_cast<std::size_t>(style)];
   };
   return {std::move(fused.wall_loss),
           fused.frame.yaw_rad,
           toYawSource(fused.frame.source),
-          {shareOf(DrivingStyle::kAlongWalls), shareOf(DrivingStyle::kPatrol),
-           shareOf(DrivingStyle::kStroll)},
+          {share(DrivingStyle::kAlongWalls), share(DrivingStyle::kPatrol),
+           share(DrivingStyle::kStroll)},
           fused.explained_variance};
 }
 

@@ -38,7 +38,7 @@ std::vector<Position> piecesOf(const std::vector<Position>& path, double max_gap
     if ((position - last).norm() > max_gap_m) {
       from = position;
     } else if ((position - from).norm() >= kPiece) {
-      pieces.push_back(position - from);
+      pieces.emplace_back(position - from);
       from = position;
     }
     last = position;

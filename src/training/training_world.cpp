@@ -61,7 +61,7 @@ std::vector<Position> divided(const std::vector<Position>& route) {
     const Position step = route[i + 1] - route[i];
     const int parts = std::max(1, static_cast<int>(step.norm() / kLongest));
     for (int part = 0; part < parts; ++part) {
-      dense.push_back(route[i] + step * (static_cast<double>(part) / parts));
+      dense.emplace_back(route[i] + step * (static_cast<double>(part) / parts));
     }
   }
   dense.push_back(route.back());

@@ -53,6 +53,7 @@ ScoredMap scoreMap(const std::string& title_and_file, EvaluationInput input) {
 std::string picturePanels(const EvaluationInput& input, const Evaluation& evaluation,
                           const std::vector<ScoredMap>& maps, bool with_legend) {
   std::vector<MapPanel> panels;
+  panels.reserve(maps.size() + 1);  // and the path alone
   for (const ScoredMap& scored : maps) {
     panels.push_back({scored.title, noteOf(scored.metrics), scored.map});
   }

@@ -23,7 +23,7 @@ std::vector<Eigen::Vector3d> nearPoints(const sensor_msgs::PointCloud2& cloud) {
   for (; x != x.end(); ++x, ++y, ++z) {
     const Eigen::Vector3f point(*x, *y, *z);
     if (point.allFinite() && point.norm() <= kFarthest) {
-      points.push_back(point.cast<double>());
+      points.emplace_back(point.cast<double>());
     }
   }
   return points;
@@ -33,7 +33,7 @@ std::vector<Eigen::Vector3d> nearPoints(const sensor_msgs::PointCloud2& cloud) {
 
 Conversion convertScan(const structure_from_wifi::WifiScan& scan, const InputContext& context) {
   constexpr std::size_t kMostReadings = 1000;  // far more than the readings of any radio
-  constexpr double kOldest_s = 3600.0;  // no cache of scans is older, and ros::Duration throws
+  constexpr double kOldestS = 3600.0;  // no cache of scans is older, and ros::Duration throws
   const std::size_t readings = std::min(scan.readings.size(), kMostReadings);
   const ros::Time stamp = stampOr(scan.header.stamp, context.received);
   Conversion conversion;
@@ -41,7 +41,7 @@ Conversion convertScan(const structure_from_wifi::WifiScan& scan, const InputCon
     const structure_from_wifi::ApReading& reading = scan.readings[i];
     const std::optional<Bssid> bssid = Bssid::parse(reading.bssid);
     const double age_s = reading.age_s;
-    if (bssid && age_s >= 0.0 && age_s < std::min(kOldest_s, stamp.toSec())) {
+    if (bssid && age_s >= 0.0 && age_s < std::min(kOldestS, stamp.toSec())) {
       conversion.observations.push_back(
           {stamp - ros::Duration(age_s),
            UnlocatedReading{*bssid, static_cast<double>(reading.rssi_dbm)}});

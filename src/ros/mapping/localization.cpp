@@ -26,12 +26,12 @@ std::optional<OdometryCorrection> correctionAt(const ros::Time& stamp, const Ros
       !transforms.canTransform(config.map_frame, config.antenna_frame, stamp)) {
     return std::nullopt;
   }
-  const auto mapFrom = [&](const std::string& frame) {
+  const auto lookup = [&](const std::string& frame) {
     return transforms.lookupTransform(config.map_frame, frame, stamp).transform;
   };
-  const geometry_msgs::Transform map_from_odom = mapFrom(config.odom_frame);
+  const geometry_msgs::Transform map_from_odom = lookup(config.odom_frame);
   return OdometryCorrection{static_cast<std::int64_t>(stamp.toNSec()),
-                            toVector(mapFrom(config.antenna_frame).translation).head<2>(),
+                            toVector(lookup(config.antenna_frame).translation).head<2>(),
                             toVector(map_from_odom.translation).head<2>(),
                             yawOf(map_from_odom.rotation)};
 }

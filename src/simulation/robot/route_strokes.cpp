@@ -162,8 +162,9 @@ class WallDrive {
   void addLine(const TurnedBox& box, double across, std::int64_t middle) {
     std::vector<Cell> stretch;
     constexpr double kStep = 0.5;
-    for (double at = box.along_low; at <= box.along_high + 1.0; at += kStep) {
-      const Position place = at * box.along + across * box.across;
+    const int steps = static_cast<int>((box.along_high + 1.0 - box.along_low) / kStep);
+    for (int i = 0; i <= steps; ++i) {
+      const Position place = (box.along_low + kStep * i) * box.along + across * box.across;
       const Cell c{std::llround(place.x()), std::llround(place.y())};
       if (middles_.label.geometry.contains(c) && middles_.label[c] == middle) {
         stretch.push_back(c);
