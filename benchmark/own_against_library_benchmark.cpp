@@ -86,8 +86,8 @@ Drive officeDrive(std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     const double driven_s = kBin * static_cast<double>(i);  // at 1 m/s
     const double lap = std::floor(driven_s / route.duration());
-    positions.push_back(route.poseAt(driven_s - lap * route.duration()).position +
-                        lap * Position(0.0, 0.07));
+    positions.emplace_back(route.poseAt(driven_s - lap * route.duration()).position +
+                           lap * Position(0.0, 0.07));
   }
   const Box box = plan.geometry.box();
   return {GridGeometry::covering(box, kLine, kLine, 1000000),

@@ -67,23 +67,23 @@ ShadowingWhitener::ShadowingWhitener(const std::vector<Position>& positions,
   const std::vector<int> known = findNeighbours(positions);
   VecchiaRows<kNeighbours> batch;
   for (std::size_t first = 0; first < rows_.size(); first += kLanes) {
-    const auto rowOf = [&](int lane) {  // the last one again where there are no more
+    const auto row = [&](int lane) {  // the last one again where there are no more
       return std::min(first + static_cast<std::size_t>(lane), rows_.size() - 1);
     };
     for (int lane = 0; lane < kLanes; ++lane) {
       for (int i = 0; i <= kNeighbours; ++i) {
-        if (i > known[rowOf(lane)]) {
+        if (i > known[row(lane)]) {
           batch.putNone(lane, i);
           continue;
         }
         const auto index =
-            static_cast<std::size_t>(rows_[rowOf(lane)].index[static_cast<std::size_t>(i)]);
+            static_cast<std::size_t>(rows_[row(lane)].index[static_cast<std::size_t>(i)]);
         batch.put(lane, i, positions[index], noise_db2[index] + model.nugget_db2);
       }
     }
     batch.solve(model);
     for (int lane = 0; lane < kLanes; ++lane) {
-      std::array<double, kNeighbours + 1>& weight = rows_[rowOf(lane)].weight;
+      std::array<double, kNeighbours + 1>& weight = rows_[row(lane)].weight;
       weight[0] = batch.scale(lane);
       for (int i = 0; i < kNeighbours; ++i) {
         weight[static_cast<std::size_t>(i) + 1] = -weight[0] * batch.weight(lane, i);
@@ -166,7 +166,7 @@ SignalPrecisionF::SignalPrecisionF(const SignalPrecision& exact)
   }
 }
 
-void SignalPrecisionF::times(Eigen::Ref<const Eigen::VectorXf> residual,
+void SignalPrecisionF::times(const Eigen::Ref<const Eigen::VectorXf>& residual,
                              Eigen::Ref<Eigen::VectorXf> product) const {
   const Eigen::Vector2f common = capacitance_ * (solved_basis_.transpose() * residual);
   product.noalias() = -solved_basis_ * common;

@@ -95,7 +95,8 @@ class SignalPrecisionF {
   explicit SignalPrecisionF(const SignalPrecision& exact);
 
   /// Sets `product` to C^-1 r. O(positions).
-  void times(Eigen::Ref<const Eigen::VectorXf> residual, Eigen::Ref<Eigen::VectorXf> product) const;
+  void times(const Eigen::Ref<const Eigen::VectorXf>& residual,
+             Eigen::Ref<Eigen::VectorXf> product) const;
 
  private:
   std::vector<ShadowingWhitener::Row<float>> rows_;

@@ -97,7 +97,7 @@ std::vector<Position> wayPoints(const std::string& route, const Grid<CellState>&
       throw InputError("route " + route + ": " + error.what());
     }
   }
-  const std::vector<Position> way_points = readWayPoints(route);
+  std::vector<Position> way_points = readWayPoints(route);
   try {
     requireFree(plan, way_points, config.robot_radius_m);
   } catch (const InputError& error) {

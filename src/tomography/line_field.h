@@ -104,6 +104,8 @@ void forEachLine(const GridGeometry& geometry, const Position& from, const Posit
     }
     const double slope = (high.y() - low.y()) / (high.x() - low.x());
     const double end = std::min(high.x(), grid.x());
+    // Counting by one from a half is exact.
+    // NOLINTNEXTLINE(clang-analyzer-security.FloatLoopCounter)
     for (double line = std::max(std::floor(low.x() - 0.5) + 1.5, 0.5); line < end; line += 1.0) {
       const double at = low.y() + (line - low.x()) * slope;
       if (at >= 0.0 && at < grid.y()) {

@@ -17,7 +17,7 @@ SparseSums::SparseSums(std::size_t sums, std::size_t terms, const Choice& choice
 
 SparseSums::Block SparseSums::blockOf(std::size_t sums, std::size_t first_term,
                                       const Choice& choice) {
-  const auto forEachInBlock = [&](auto&& visit) {
+  const auto visit_block = [&](auto&& visit) {
     for (std::size_t i = 0; i < choice.term.size(); ++i) {
       const std::size_t term = static_cast<std::size_t>(choice.term[i]) - first_term;
       if (term < kBlock) {  // those before the block wrap round to huge numbers
@@ -26,7 +26,7 @@ SparseSums::Block SparseSums::blockOf(std::size_t sums, std::size_t first_term,
     }
   };
   std::vector<std::uint32_t> count(sums, 0);
-  forEachInBlock([&](std::size_t sum, std::uint16_t) { ++count[sum]; });
+  visit_block([&](std::size_t sum, std::uint16_t) { ++count[sum]; });
   Block block;
   for (std::uint32_t i = 0; i < sums; ++i) {
     if (count[i] > 0) {
@@ -42,7 +42,7 @@ SparseSums::Block SparseSums::blockOf(std::size_t sums, std::size_t first_term,
     terms += sum.terms;
   }
   block.terms.resize(terms);
-  forEachInBlock([&](std::size_t sum, std::uint16_t term) { block.terms[next[sum]++] = term; });
+  visit_block([&](std::size_t sum, std::uint16_t term) { block.terms[next[sum]++] = term; });
   return block;
 }
 

@@ -120,6 +120,7 @@ WallField estimateWalls(const GridGeometry& geometry,
   for (int member = 0; member < config.ensemble_size && !stop; ++member) {
     const std::vector<LineLattice> lattices = shiftedLattices(member, geometry, config);
     std::vector<Mask> driven;
+    driven.reserve(lattices.size());
     for (const LineLattice& lattice : lattices) {
       driven.push_back(coveredOn(lattice, distance, robot_radius_m));
     }

@@ -45,7 +45,7 @@ std::vector<std::size_t> addRooms(std::size_t corridor, const Rect& rect, Side c
   PortableRandom& random = layout.random();
   const bool level = corridor_side == Side::kBottom || corridor_side == Side::kTop;
   const int depth = level ? rect.depth() : rect.width();
-  const std::vector<std::size_t> row =
+  std::vector<std::size_t> row =
       layout.addRow(rect, level ? Axis::kX : Axis::kY, choicesFor(depth, main_row));
   for (std::size_t i = 0; i < row.size(); ++i) {
     if (layout.rooms()[row[i]].kind != RoomKind::kBath || depth < kDeepBath || row.size() == 1) {

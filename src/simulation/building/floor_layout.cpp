@@ -80,6 +80,7 @@ void fit(int length, int partition, std::vector<Share>& row) {
     for (const Share& share : row) {
       sum += share.width;
     }
+    sum = std::max(sum, 1);  // of no row, too
     bool too_narrow = false;
     for (const Share& share : row) {
       too_narrow = too_narrow || share.width * net / sum < share.choice.least_width * 9 / 10;

@@ -52,7 +52,7 @@ Position parseVertex(const nlohmann::json& vertex, const std::string& name) {
       !vertex[1].is_number()) {
     throw InputError(name + " must be a pair of numbers");
   }
-  const Position position(vertex[0].get<double>(), vertex[1].get<double>());
+  Position position(vertex[0].get<double>(), vertex[1].get<double>());
   if (!(position.array().abs() <= kFar).all()) {
     throw InputError(name + " must lie within 1000 km of the origin");
   }

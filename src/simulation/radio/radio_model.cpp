@@ -51,6 +51,7 @@ BandFigures bandFigures(Band band) {
 
 std::vector<Transmitter> asTransmitters(const std::vector<AccessPoint>& access_points, Band band) {
   std::vector<Transmitter> sending;
+  sending.reserve(access_points.size());
   for (const AccessPoint& access_point : access_points) {
     sending.push_back({access_point, band});
   }

@@ -25,7 +25,7 @@ RandomField::RandomField(Kind kind, double length_m, std::int64_t seed, std::uin
   Random random(seed, stream, 0);
   const double first_direction = 2.0 * kPi * random.uniform();
   for (std::size_t i = 0; i < kWaves; ++i) {
-    const double at = static_cast<double>(i);
+    const auto at = static_cast<double>(i);
     // uniform() may be exactly 1. The last share must be less.
     const double share = (at + 1.0 - random.uniform()) / static_cast<double>(kWaves);
     const double direction = first_direction + at * golden_angle;

@@ -257,6 +257,7 @@ std::vector<Position> planRoute(const Grid<CellState>& plan, RouteKind kind,
   const std::vector<Cell> route =
       withSomewhereToGo(Driver(space, distance, start, strokes).drive(), space);
   std::vector<Position> way_points;
+  way_points.reserve(route.size());
   for (const Cell c : route) {
     way_points.push_back(plan.geometry.centre(c));
   }

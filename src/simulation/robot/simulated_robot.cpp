@@ -58,7 +58,10 @@ double entryIntoBox(const Position& from, const Position& direction, const Box& 
     entry = std::max(entry, std::min(a, b));
     exit = std::min(exit, std::max(a, b));
   }
-  return entry < exit && exit > 0.0 ? entry : kInfinity;
+  if (entry < exit && exit > 0.0) {
+    return entry;
+  }
+  return kInfinity;
 }
 
 Position nearestPoint(const Box& box, const Position& point) {
