@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/old_name.h"
 #include "cli/commands.h"
 #include "cli/warnings.h"
 #include "structure_from_wifi/input_error.h"
@@ -37,7 +38,7 @@ constexpr Command kCommands[] = {
      runFit},
 };
 
-constexpr char kFormerChooseSites[] = "place";
+constexpr char kOldChooseSites[] = "place";
 
 void printHelp(std::ostream& out) {
   out << "Usage: sfw COMMAND OPTIONS\n\n"
@@ -54,8 +55,8 @@ void printHelp(std::ostream& out) {
 
 /// @throw InputError if there is no such subcommand
 Command commandNamed(std::string name) {
-  if (name == kFormerChooseSites) {
-    warn("sfw place is now called sfw choose-sites; a later release will refuse the former name");
+  if (name == kOldChooseSites) {
+    warn(oldNameWarning("sfw place", "sfw choose-sites"));
     name = "choose-sites";
   }
   const auto* const found = std::find_if(std::begin(kCommands), std::end(kCommands),

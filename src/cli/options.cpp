@@ -5,6 +5,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "base/old_name.h"
 #include "cli/warnings.h"
 #include "files/text.h"
 #include "structure_from_wifi/input_error.h"
@@ -116,17 +117,16 @@ void Options::addFlag(const std::string& name, bool& value, const std::string& t
   description_.add_options()(name.c_str(), po::value<bool>(&value)->zero_tokens(), text.c_str());
 }
 
-void Options::addFormerName(const std::string& former, const std::string& name) {
-  former_names_["--" + former] = "--" + name;
+void Options::addOldName(const std::string& old_name, const std::string& name) {
+  new_names_["--" + old_name] = "--" + name;
 }
 
-void Options::replaceFormerNames() {
+void Options::replaceOldNames() {
   for (std::string& argument : arguments_) {
     const std::size_t end = std::min(argument.find('='), argument.size());
-    const auto found = former_names_.find(argument.substr(0, end));
-    if (found != former_names_.end()) {
-      warn("sfw " + command_ + ": " + found->first + " is now called " + found->second +
-           "; a later release will refuse the former name");
+    const auto found = new_names_.find(argument.substr(0, end));
+    if (found != new_names_.end()) {
+      warn("sfw " + command_ + ": " + oldNameWarning(found->first, found->second));
       argument = found->second + argument.substr(end);
     }
   }
@@ -172,7 +172,7 @@ void Options::readValues() {
 }
 
 bool Options::parse() {
-  replaceFormerNames();
+  replaceOldNames();
   std::replace(arguments_.begin(), arguments_.end(), std::string("-h"), std::string("--help"));
   const std::string see_help = "; see `sfw " + command_ + " --help`";
   try {

@@ -61,8 +61,8 @@ class Options {
   /// Declares an option without a value.
   void addFlag(const std::string& name, bool& value, const std::string& text);
 
-  /// Accepts a former name of an option, with a warning.
-  void addFormerName(const std::string& former, const std::string& name);
+  /// Accepts an old name of an option, with a warning. Both names are without the leading `--`.
+  void addOldName(const std::string& old_name, const std::string& name);
 
   /// Reads the command line into the variables, or prints the help if it asks for that.
   /// @return whether the subcommand is to run: false after the help
@@ -75,7 +75,7 @@ class Options {
  private:
   void addValue(const std::string& name, const std::string& placeholder, const std::string& text,
                 std::function<void(const std::string&)> read);
-  void replaceFormerNames();
+  void replaceOldNames();
   void readValues();
   std::string nearestName(const std::string& unknown) const;
 
@@ -83,7 +83,7 @@ class Options {
   std::string purpose_;
   std::vector<std::string> arguments_;
   std::vector<std::string> required_;
-  std::map<std::string, std::string> former_names_;
+  std::map<std::string, std::string> new_names_;  // by the old name
   boost::program_options::options_description description_;
   boost::program_options::variables_map values_;
 };

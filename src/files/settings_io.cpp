@@ -7,7 +7,7 @@
 namespace sfw {
 namespace {
 
-/// Former names of settings, which this release still reads, and their names now.
+/// Old names of settings, which this release still reads, and their names now.
 constexpr std::pair<const char*, const char*> kRenamed[] = {
     {"inference/footprint_radius", "path/footprint_radius"},
     {"inference/max_gap", "path/max_gap"},
@@ -31,8 +31,8 @@ constexpr std::pair<const char*, const char*> kRenamed[] = {
 }  // namespace
 
 void readSettings(SettingsTree& tree, Config& config) {
-  for (const auto& [former, name] : kRenamed) {
-    tree.addFormerName(former, name);
+  for (const auto& [old_name, name] : kRenamed) {
+    tree.addOldName(old_name, name);
   }
   forEachSetting(config, [&](const char* name, auto& value) { tree.read(name, value); });
   tree.problems().add(validate(config));

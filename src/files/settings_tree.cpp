@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/old_name.h"
 #include "files/text.h"
 #include "structure_from_wifi/input_error.h"
 
@@ -42,12 +43,12 @@ void SettingsTree::flatten(const YAML::Node& node, const std::string& path) {
   }
 }
 
-void SettingsTree::warnOfFormerName(const std::string& former, const std::string& name,
-                                    bool counts) {
-  former_warnings_.push_back(
-      former + " is now called " + name +
-      (counts ? "; rename it, the next release ignores the former name"
-              : ", which is set too: the value of " + former + " is ignored; remove it"));
+void SettingsTree::warnOfOldName(const std::string& old_name, const std::string& name,
+                                 bool counts) {
+  old_name_warnings_.push_back(counts ? oldNameWarning(old_name, name)
+                                      : old_name + " is now called " + name +
+                                            ", which is set too: the value of " + old_name +
+                                            " is ignored; remove it");
 }
 
 void SettingsTree::dropGroup(const std::string& group) {
@@ -85,7 +86,7 @@ std::string SettingsTree::nearest(const std::string& name) const {
 }
 
 std::vector<std::string> SettingsTree::warnings() const {
-  std::vector<std::string> warnings = former_warnings_;
+  std::vector<std::string> warnings = old_name_warnings_;
   for (const std::string& name : unknown()) {
     const std::string group = lastPart(name);
     if (isGroup(name)) {

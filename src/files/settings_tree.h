@@ -21,12 +21,12 @@ class SettingsTree {
   /// @throw InputError if it is anything else
   explicit SettingsTree(const YAML::Node& tree);
 
-  /// Accepts a former name of a setting, with a warning.
+  /// Accepts an old name of a setting, with a warning.
   ///
-  /// Launch files load the shipped defaults before a user's own settings. So a former name counts
+  /// Launch files load the shipped defaults before a user's own settings. So an old name counts
   /// even if the setting is present. It does not count if the setting differs from its default.
-  void addFormerName(const std::string& former, const std::string& name) {
-    former_names_[name] = former;
+  void addOldName(const std::string& old_name, const std::string& name) {
+    old_names_[name] = old_name;
   }
 
   /// Reads the setting into `value`, which keeps its default if the tree has no such setting. A
@@ -36,15 +36,15 @@ class SettingsTree {
     known_.push_back(name);
     const T default_value = value;
     take(name, value);
-    const auto former = former_names_.find(name);
-    if (former == former_names_.end() || values_.count(former->second) == 0) {
+    const auto old_name = old_names_.find(name);
+    if (old_name == old_names_.end() || values_.count(old_name->second) == 0) {
       return;
     }
     const bool counts = value == default_value;
-    warnOfFormerName(former->second, name, counts);
-    T former_value = default_value;
-    take(former->second, former_value);
-    value = counts ? former_value : value;
+    warnOfOldName(old_name->second, name, counts);
+    T old_value = default_value;
+    take(old_name->second, old_value);
+    value = counts ? old_value : value;
   }
 
   /// Drops a group that another reader is responsible for.
@@ -56,7 +56,7 @@ class SettingsTree {
   /// Names in the tree that no reader has used.
   std::vector<std::string> unknown() const;
 
-  /// A warning for each former name, and one for each unknown name with the nearest known one.
+  /// A warning for each old name, and one for each unknown name with the nearest known one.
   std::vector<std::string> warnings() const;
 
  private:
@@ -72,15 +72,15 @@ class SettingsTree {
     }
   }
 
-  void warnOfFormerName(const std::string& former, const std::string& name, bool counts);
+  void warnOfOldName(const std::string& old_name, const std::string& name, bool counts);
   void flatten(const YAML::Node& node, const std::string& path);
   bool isGroup(const std::string& name) const;
   std::string nearest(const std::string& name) const;
 
   std::map<std::string, YAML::Node> values_;  // not read yet, by path
   std::vector<std::string> known_;
-  std::map<std::string, std::string> former_names_;  // by the present name
-  std::vector<std::string> former_warnings_;
+  std::map<std::string, std::string> old_names_;  // by the present name
+  std::vector<std::string> old_name_warnings_;
   Problems problems_;
 };
 

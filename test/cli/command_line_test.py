@@ -72,7 +72,7 @@ class Help(CommandLine):
                  "--count must be in 1..100; it is '101'")
         self.bad(self.map("--output", self.folder), "--output", "more than once")
 
-    def test_former_names_are_taken_with_a_warning(self):
+    def test_old_names_are_taken_with_a_warning(self):
         new = self.good(self.sfw("choose-sites", "--generate", "flat"))
         old = self.good(self.sfw("place", "--generate", "flat"))
         self.assertEqual(old.stdout, new.stdout)

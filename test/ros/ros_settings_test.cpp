@@ -91,7 +91,7 @@ TEST(MappingSettings, ParametersGiveBothGroups) {
   EXPECT_EQ(settings.warnings, Names());
 }
 
-TEST(MappingSettings, ParametersMayHaveTheirFormerNames) {
+TEST(MappingSettings, ParametersMayHaveTheirOldNames) {
   XmlRpc::XmlRpcValue tree;
   tree["inference"]["max_gap"] = 2.5;
   tree["path"]["max_gap"] = 1.0;  // as shipped: launch files load the shipped file first

@@ -212,7 +212,7 @@ void runEvaluate(Options& options) {
   options.addFlag("ablations", evaluate.ablations,
                   "also map without radio, and with the signals shifted along the path by 1/9 .. "
                   "8/9 of the run; the difference to these maps is the radio's contribution");
-  options.addFormerName("controls", "ablations");
+  options.addOldName("controls", "ablations");
   options.addFlag("prediction", evaluate.prediction,
                   "hide stretches of 3 m of the readings and predict them from the others, by "
                   "distance alone and with walls; the gain from walls is the radio's knowledge");

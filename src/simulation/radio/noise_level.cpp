@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/old_name.h"
 #include "base/random.h"
 #include "base/random_streams.h"
 #include "structure_from_wifi/input_error.h"
@@ -52,8 +53,7 @@ std::string noiseLevelHelp() {
 std::optional<std::string> oldNoiseLevelWarning(std::string_view name) {
   for (const NoiseLevel& level : kNoiseLevels) {
     if (!level.old_name.empty() && name == level.old_name) {
-      return "the noise level " + std::string(name) + " is now called " + std::string(level.name) +
-             "; rename it, the next release does not know the old name";
+      return "the noise level " + oldNameWarning(std::string(name), std::string(level.name));
     }
   }
   return std::nullopt;
