@@ -154,13 +154,12 @@ StyleShares BeliefModel::shares(const PathStyle& style) const {
 }
 
 double BeliefModel::free(const FeatureVector& cell, const StyleShares& shares,
-                         bool use_radio) const {
+                         UseRadio use_radio) const {
+  const auto weights = use_radio == UseRadio::kYes ? &Expert::with_radio : &Expert::without_radio;
   double free = 0.0;
   for (std::size_t i = 0; i < kDrivingStyles; ++i) {
     if (shares[i] > 0.0) {
-      const Expert& expert = experts_[i];
-      free +=
-          shares[i] * logistic(score(use_radio ? expert.with_radio : expert.without_radio, cell));
+      free += shares[i] * logistic(score(experts_[i].*weights, cell));
     }
   }
   return free;

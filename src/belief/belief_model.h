@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "base/use_radio.h"
 #include "belief/feature_table.h"
 #include "path/path_style.h"
 #include "structure_from_wifi/config.h"
@@ -46,8 +47,8 @@ class BeliefModel {
 
   /// Probability that a cell is free.
   /// @param shares     of the experts
-  /// @param use_radio  false: by the features of path and rays alone, without signal strength
-  double free(const FeatureVector& cell, const StyleShares& shares, bool use_radio) const;
+  /// @param use_radio  kNo: by the features of path and rays alone, without signal strength
+  double free(const FeatureVector& cell, const StyleShares& shares, UseRadio use_radio) const;
 
  private:
   std::array<Expert, kDrivingStyles> experts_;

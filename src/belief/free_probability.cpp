@@ -51,7 +51,7 @@ void straighten(const std::vector<std::size_t>& cells, Grid<float>& log_odds) {
 }
 
 Grid<float> freeProbability(const CellFeatures& described, const BeliefModel& model,
-                            const StyleShares& style, bool use_radio) {
+                            const StyleShares& style, UseRadio use_radio) {
   Grid<float> free(described.geometry);
   for (std::size_t i = 0; i < described.cells.size(); ++i) {
     free.cells[described.cells[i]] =

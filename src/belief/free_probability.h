@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/use_radio.h"
 #include "belief/belief_model.h"
 #include "belief/cell_features.h"
 
@@ -23,9 +24,9 @@ void straighten(const std::vector<std::size_t>& cells, Grid<float>& log_odds);
 /// The model gives the probability of each cell by itself. Then the log odds are straightened, and
 /// the probabilities are blurred by 0.1 m.
 /// @param style      share of the model for each driving style
-/// @param use_radio  false: by the features of the path alone, the ablation `no radio`
+/// @param use_radio  kNo: by the features of the path alone, the ablation `no radio`
 /// Linear in cells.
 Grid<float> freeProbability(const CellFeatures& described, const BeliefModel& model,
-                            const StyleShares& style, bool use_radio);
+                            const StyleShares& style, UseRadio use_radio);
 
 }  // namespace sfw

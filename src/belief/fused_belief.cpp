@@ -71,7 +71,7 @@ std::vector<std::vector<double>> sampleLosses(const DriveData& drive,
 
 FusedBelief inferOccupancyByTomography(const GridGeometry& geometry, const DriveData& drive,
                                        const BeliefModel& model, const Config& config,
-                                       bool use_radio, const std::atomic<bool>& stop) {
+                                       UseRadio use_radio, const std::atomic<bool>& stop) {
   FusedBelief belief{
       Grid<float>(geometry, kUnknownOccupancy), Grid<float>(geometry), {}, 0.0, {}, {}};
   belief.sample_loss_db.resize(drive.access_points.size());

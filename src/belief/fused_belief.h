@@ -3,6 +3,7 @@
 #include <atomic>
 #include <vector>
 
+#include "base/use_radio.h"
 #include "belief/belief_model.h"
 #include "belief/drive_features.h"
 #include "structure_from_wifi/config.h"
@@ -28,11 +29,11 @@ struct FusedBelief {
 /// belief/occupied_threshold are the rim of those, or contacts. All other cells with evidence lie
 /// in between, because the data do not show whether a wall stands there.
 /// @param geometry   of the map
-/// @param use_radio  false: the ablation without signal strength
+/// @param use_radio  kNo: the ablation without signal strength
 /// @param stop       polled; when it turns true the result is incomplete
 /// @throw as extractDriveFeatures
 FusedBelief inferOccupancyByTomography(const GridGeometry& geometry, const DriveData& drive,
                                        const BeliefModel& model, const Config& config,
-                                       bool use_radio, const std::atomic<bool>& stop);
+                                       UseRadio use_radio, const std::atomic<bool>& stop);
 
 }  // namespace sfw

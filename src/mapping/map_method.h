@@ -5,15 +5,13 @@
 #include <optional>
 #include <vector>
 
+#include "base/use_radio.h"
 #include "mapping/inliers.h"
 #include "structure_from_wifi/config.h"
 #include "structure_from_wifi/grid_geometry.h"
 #include "structure_from_wifi/snapshot.h"
 
 namespace sfw {
-
-/// Whether a map uses signal strengths. Without them it is an ablation.
-enum class UseRadio { kNo, kYes };
 
 /// The map that a method infers.
 struct MethodResult {

@@ -66,8 +66,8 @@ class TomographyMethod : public MapMethod {
         used.push_back(i);
       }
     }
-    FusedBelief fused = inferOccupancyByTomography(geometry, drive, model_, config_,
-                                                   use_radio == UseRadio::kYes, stop);
+    FusedBelief fused =
+        inferOccupancyByTomography(geometry, drive, model_, config_, use_radio, stop);
     MethodResult result{std::move(fused.occupied)};
     result.walls.resize(access_points.size());
     for (std::size_t i = 0; i < used.size(); ++i) {

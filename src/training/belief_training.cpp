@@ -55,13 +55,13 @@ Scale scaleOf(const std::vector<WeightedDrive>& training) {
 
 /// Standardises some cells. Each cell becomes a column with a one as its last element.
 Cells standardised(const TrainingCells& drive, std::size_t from, std::size_t count,
-                   const Scale& scale, bool use_radio) {
+                   const Scale& scale, UseRadio use_radio) {
   Cells cells = Cells::Zero(kSize, static_cast<Eigen::Index>(count));
   for (std::size_t j = 0; j < count; ++j) {
     const FeatureVector& cell = drive.cells[from + j];
     const auto column = static_cast<Eigen::Index>(j);
     for (std::size_t i = 0; i < kCellFeatures; ++i) {
-      if (use_radio || !kCellFeatureTable[i].uses_radio) {
+      if (use_radio == UseRadio::kYes || !kCellFeatureTable[i].uses_radio) {
         cells(static_cast<Eigen::Index>(i), column) =
             (static_cast<double>(cell[i]) - scale.mean[i]) / scale.deviation[i];
       }
@@ -77,8 +77,8 @@ struct Derivatives {
   Matrix curvature;
 };
 
-void addCells(const WeightedDrive& one, const Scale& scale, bool use_radio, const Vector& weights,
-              Derivatives& derivatives) {
+void addCells(const WeightedDrive& one, const Scale& scale, UseRadio use_radio,
+              const Vector& weights, Derivatives& derivatives) {
   constexpr std::size_t kBlock = 1000;  // cells at once: products of matrices are fast
   const TrainingCells& drive = *one.drive;
   for (std::size_t from = 0; from < drive.cells.size(); from += kBlock) {
@@ -96,7 +96,7 @@ void addCells(const WeightedDrive& one, const Scale& scale, bool use_radio, cons
 /// Maximises the penalised likelihood. The penalty matters little to hundreds of thousands of
 /// cells, but it keeps nearly equal features from large opposite weights.
 BeliefModel::Weights regression(const std::vector<WeightedDrive>& training, const Scale& scale,
-                                bool use_radio) {
+                                UseRadio use_radio) {
   constexpr int kIterations = 12;
   constexpr double kRidge = 100.0;
   Vector penalty = Vector::Constant(kRidge);
@@ -206,8 +206,8 @@ BeliefModel fitBeliefModel(const std::vector<TrainingCells>& drives) {
       }
     }
     const Scale scale = scaleOf(training);
-    experts[i].with_radio = regression(training, scale, true);
-    experts[i].without_radio = regression(training, scale, false);
+    experts[i].with_radio = regression(training, scale, UseRadio::kYes);
+    experts[i].without_radio = regression(training, scale, UseRadio::kNo);
   }
   return BeliefModel(experts);
 }

@@ -42,11 +42,11 @@ TEST(BeliefModel, IsLogisticInItsFeatures) {
   expert.with_radio.features[3] = -2.0;
   expert.without_radio.intercept = -1.0;
   const BeliefModel model = modelWith(expert);
-  EXPECT_NEAR(model.free(cellWith(3, 0.5F), kOnlyAlongWalls, true), 0.5, 1e-9);
-  EXPECT_NEAR(model.free(cellWith(3, 0.0F), kOnlyAlongWalls, true), 1.0 / (1.0 + std::exp(-1.0)),
-              1e-9);
-  EXPECT_NEAR(model.free(cellWith(3, 0.5F), kOnlyAlongWalls, false), 1.0 / (1.0 + std::exp(1.0)),
-              1e-9);
+  EXPECT_NEAR(model.free(cellWith(3, 0.5F), kOnlyAlongWalls, UseRadio::kYes), 0.5, 1e-9);
+  EXPECT_NEAR(model.free(cellWith(3, 0.0F), kOnlyAlongWalls, UseRadio::kYes),
+              1.0 / (1.0 + std::exp(-1.0)), 1e-9);
+  EXPECT_NEAR(model.free(cellWith(3, 0.5F), kOnlyAlongWalls, UseRadio::kNo),
+              1.0 / (1.0 + std::exp(1.0)), 1e-9);
 }
 
 TEST(BeliefModel, ChoosesTheExpertByThePathsStyle) {
@@ -63,7 +63,8 @@ TEST(BeliefModel, MixesExpertsWhereAStyleFitsTwo) {
   const StyleShares shares = model.shares({0.7, 0.5, 0.05});  // midway to patrols
   EXPECT_NEAR(shares[0], 0.5, 1e-6);
   EXPECT_NEAR(shares[1], 0.5, 1e-6);
-  EXPECT_NEAR(model.free({}, shares, true), 0.5 / (1.0 + std::exp(-2.0)) + 0.5 * 0.5, 1e-6);
+  EXPECT_NEAR(model.free({}, shares, UseRadio::kYes), 0.5 / (1.0 + std::exp(-2.0)) + 0.5 * 0.5,
+              1e-6);
 }
 
 TEST(BeliefModel, RefusesNumbersThatAreNone) {
@@ -165,7 +166,7 @@ TEST(BeliefModel, IsShippedAndTakesWallsForWalls) {
     StyleShares shares{};
     shares[style] = 1.0;
     const auto free = [&](float wall, float sight) {
-      return model.free(cellWithWalls(wall, sight), shares, true);
+      return model.free(cellWithWalls(wall, sight), shares, UseRadio::kYes);
     };
     // More wall on the radio's part makes no cell freer, where there are rays at all: below 0.02
     // the features tell cells that no ray passes near.

@@ -84,7 +84,7 @@ BeliefModel doubting() {
 }
 
 Grid<float> freeWithDoubt(const std::vector<Cell>& doubtful) {
-  return freeProbability(squareWithDoubt(doubtful), doubting(), {1.0, 0.0, 0.0}, true);
+  return freeProbability(squareWithDoubt(doubtful), doubting(), {1.0, 0.0, 0.0}, UseRadio::kYes);
 }
 
 double logOdds(float p) {

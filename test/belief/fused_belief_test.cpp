@@ -231,7 +231,7 @@ TEST(ShippedBelief, IsCalibratedOnDrivesThatItWasNotFittedTo) {
     }
     const DriveFeatures described = extractDriveFeatures(mapped, Config(), never);
     const StyleShares shares = model.shares(described.cells.style);
-    const Grid<float> probability = freeProbability(described.cells, model, shares, true);
+    const Grid<float> probability = freeProbability(described.cells, model, shares, UseRadio::kYes);
     for (std::size_t k = 0; k < described.cells.cells.size(); k += 7) {
       const double p = probability.cells[described.cells.cells[k]];
       const Cell at =
