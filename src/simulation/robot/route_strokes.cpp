@@ -162,9 +162,9 @@ class WallDrive {
   void addLine(const TurnedBox& box, double across, std::int64_t middle) {
     std::vector<Cell> stretch;
     constexpr double kStep = 0.5;
-    const int steps = static_cast<int>((box.along_high + 1.0 - box.along_low) / kStep);
-    for (int i = 0; i <= steps; ++i) {
-      const Position place = (box.along_low + kStep * i) * box.along + across * box.across;
+    double at = box.along_low;
+    while (at <= box.along_high + 1.0) {
+      const Position place = at * box.along + across * box.across;
       const Cell c{std::llround(place.x()), std::llround(place.y())};
       if (middles_.label.geometry.contains(c) && middles_.label[c] == middle) {
         stretch.push_back(c);
@@ -172,6 +172,7 @@ class WallDrive {
         addStretch(stretch);
         stretch.clear();
       }
+      at += kStep;
     }
     addStretch(stretch);
   }
