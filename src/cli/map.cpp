@@ -61,6 +61,16 @@ Mapper mapperFor(const std::string& access_points, const Config& config) {
   }
 }
 
+void insertReadings(const MapOptions& options, Mapper& mapper) {
+  const ReadingFile file = readWithWarnings(options.readings);
+  for (const Reading& reading : file.readings) {
+    mapper.insert(reading);
+  }
+  for (const auto& [reason, skipped] : file.skipped) {
+    mapper.recordRejected(reason, skipped.count);
+  }
+}
+
 void insertBag(const MapOptions& options, const MappingSettings& settings, Mapper& mapper) {
   const BagReading reading = readBag(options.bag, options.topics, settings, mapper);
   for (const auto& [problem, count] : reading.rejected) {
@@ -115,13 +125,7 @@ void run(const MapOptions& options) {
   Mapper mapper = mapperFor(options.access_points, config);
   const std::string& source = options.bag.empty() ? options.readings : options.bag;
   if (options.bag.empty()) {
-    const ReadingFile file = readWithWarnings(options.readings);
-    for (const Reading& reading : file.readings) {
-      mapper.insert(reading);
-    }
-    for (const auto& [reason, skipped] : file.skipped) {
-      mapper.recordRejected(reason, skipped.count);
-    }
+    insertReadings(options, mapper);
   } else {
     insertBag(options, settings, mapper);
   }

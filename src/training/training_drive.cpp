@@ -35,6 +35,29 @@ void varyRadio(RadioModel::Config& radio, Random& random) {
   }
 }
 
+/// The building as the robot finds it: often with furniture, which blocks the robot alone.
+FloorPlan withFurniture(const FloorPlan& walls, DrivingStyle style, Random& random) {
+  const double share = style == DrivingStyle::kAlongWalls ? 0.7
+                       : style == DrivingStyle::kPatrol   ? 0.5
+                                                          : 0.0;
+  FloorPlan furnished = walls;
+  if (happens(share, random)) {
+    furnish(furnished, random);
+  }
+  return furnished;
+}
+
+/// Changes the planned route as drivers of the style would.
+void varyRoute(DrivingStyle style, double robot_radius_m, Scenario& scenario, Random& random) {
+  if (style == DrivingStyle::kAlongWalls && happens(0.7, random)) {
+    scenario.way_points =
+        withHumanSteering(scenario.way_points, scenario.plan, robot_radius_m + 0.03, random);
+  } else if (style == DrivingStyle::kStroll) {
+    const double clearance_m = robot_radius_m + random.uniform(0.0, 0.6);
+    scenario.way_points = withRandomWalks(scenario.way_points, scenario.plan, clearance_m, random);
+  }
+}
+
 /// Positions of the readings, without repetitions in a row.
 std::vector<Position> pathOf(const std::vector<Reading>& readings) {
   std::vector<Position> path;
@@ -101,23 +124,11 @@ std::optional<TrainingDrive> makeTrainingDrive(const FloorPlan& plan, DrivingSty
   if (happens(strolls ? 0.3 : 0.7, random)) {
     cutOut(walls, random);
   }
-  FloorPlan furnished = walls;
-  const double furnished_share = style == DrivingStyle::kAlongWalls ? 0.7
-                                 : style == DrivingStyle::kPatrol   ? 0.5
-                                                                    : 0.0;
-  if (happens(furnished_share, random)) {
-    furnish(furnished, random);
-  }
+  const FloorPlan furnished = withFurniture(walls, style, random);
   TrainingDrive drive{{}, {}, style, toStates(furnished)};
   try {
     Scenario scenario = makeScenario(furnished, {}, config);
-    if (style == DrivingStyle::kAlongWalls && happens(0.7, random)) {
-      scenario.way_points =
-          withHumanSteering(scenario.way_points, furnished, config.robot_radius_m + 0.03, random);
-    } else if (strolls) {
-      const double clearance = config.robot_radius_m + random.uniform(0.0, 0.6);
-      scenario.way_points = withRandomWalks(scenario.way_points, furnished, clearance, random);
-    }
+    varyRoute(style, config.robot_radius_m, scenario, random);
     varyRadio(scenario.recording.radio, random);
     scenario.plan = walls;  // furniture weakens signals less than walls: the level has its own
     drive.readings = simulate(scenario).readings;

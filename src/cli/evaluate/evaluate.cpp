@@ -143,6 +143,46 @@ void writePictures(const EvaluateOptions& options, const EvaluationInput& input,
   }
 }
 
+/// Scores the maps of --beside.
+/// @param input  truth and path
+std::vector<ScoredMap> scoreBeside(const EvaluateOptions& options, const EvaluationInput& input) {
+  std::vector<ScoredMap> beside;
+  for (const std::string& title_and_file : options.beside) {
+    ScoredMap scored = scoreMap(title_and_file, input);
+    if (std::any_of(beside.begin(), beside.end(),
+                    [&](const ScoredMap& other) { return other.title == scored.title; })) {
+      throw InputError("--beside has the title '" + scored.title + "' twice");
+    }
+    beside.push_back(std::move(scored));
+  }
+  return beside;
+}
+
+void printMetrics(const EvaluateOptions& options, const Evaluation& evaluation,
+                  const std::vector<ScoredMap>& beside,
+                  const std::optional<AblationMetrics>& ablations,
+                  const std::optional<PredictionMetrics>& prediction) {
+  if (options.json) {
+    nlohmann::json json = toJson(evaluation, beside);
+    if (ablations) {
+      json["ablations"] = toJson(*ablations);
+    }
+    if (prediction) {
+      json["prediction"] = toJson(*prediction);
+    }
+    std::cout << json.dump(2) << std::endl;
+    return;
+  }
+  printTable(std::cout, evaluation, beside);
+  if (ablations) {
+    printAblations(std::cout, evaluation.map, *ablations);
+  }
+  if (prediction) {
+    printPrediction(std::cout, *prediction);
+  }
+  std::cout << std::flush;
+}
+
 void run(const EvaluateOptions& options) {
   const std::vector<Reading> readings = readWithWarnings(options.readings).readings;
   EvaluationInput input{readMap(options.map), readMap(options.truth), {}, {}, {}};
@@ -158,38 +198,12 @@ void run(const EvaluateOptions& options) {
     input.access_points = accessPointsWithReadings(options, readings);
   }
   const Evaluation evaluation = evaluate(input);
-  std::vector<ScoredMap> beside;
-  for (const std::string& title_and_file : options.beside) {
-    ScoredMap scored = scoreMap(title_and_file, input);
-    if (std::any_of(beside.begin(), beside.end(),
-                    [&](const ScoredMap& other) { return other.title == scored.title; })) {
-      throw InputError("--beside has the title '" + scored.title + "' twice");
-    }
-    beside.push_back(std::move(scored));
-  }
+  const std::vector<ScoredMap> beside = scoreBeside(options, input);
   const std::optional<AblationMetrics> ablations = ablationsFor(options, input, readings);
   const std::optional<PredictionMetrics> prediction = predictionFor(options, readings);
-  if (options.json) {
-    nlohmann::json json = toJson(evaluation, beside);
-    if (ablations) {
-      json["ablations"] = toJson(*ablations);
-    }
-    if (prediction) {
-      json["prediction"] = toJson(*prediction);
-    }
-    std::cout << json.dump(2) << std::endl;
-  } else {
-    printTable(std::cout, evaluation, beside);
-    if (ablations) {
-      printAblations(std::cout, evaluation.map, *ablations);
-    }
-    if (prediction) {
-      printPrediction(std::cout, *prediction);
-    }
-    std::cout << std::flush;
-  }
-  writePictures(options, input, evaluation,
-                beside);  // last: the metrics are printed even if it fails
+  printMetrics(options, evaluation, beside, ablations, prediction);
+  // Pictures come last, so that the metrics are printed even if a picture cannot be written.
+  writePictures(options, input, evaluation, beside);
 }
 
 }  // namespace
