@@ -9,17 +9,16 @@
 #include <optional>
 #include <thread>
 
-#include "base/random.h"
 #include "cli/commands.h"
 #include "cli/floor_plan_files.h"
 #include "cli/parallel_for.h"
 #include "cli/progress.h"
 #include "files/atomic_file.h"
-#include "simulation/building/floor_plan_generator.h"
 #include "simulation/building/floor_plan_io.h"
 #include "structure_from_wifi/input_error.h"
 #include "structure_from_wifi/settings_io.h"
 #include "training/belief_training.h"
+#include "training/training_world.h"
 
 namespace sfw {
 namespace {
@@ -39,14 +38,7 @@ FloorPlan buildingFor(std::size_t drive, std::int64_t seed, const std::vector<Fl
   if (!plans.empty() && drive % 2 == 1) {
     return plans[drive / 2 % plans.size()];
   }
-  constexpr std::uint64_t kStream = 0x666974;  // no simulation uses it
-  Random random(seed, kStream, 0);
-  BuildingConfig config;
-  config.seed = static_cast<std::uint64_t>(seed);
-  config.kind = random.uniform() < 0.25 ? BuildingKind::kOffice : BuildingKind::kFlat;
-  config.area_m2 = random.uniform(35.0, 135.0);
-  config.rotation_rad = random.uniform() < 0.5 ? 0.0 : random.uniform(0.0, 1.57);
-  return generateFloorPlan(config);
+  return makeTrainingBuilding(seed);
 }
 
 /// Simulates drives on several threads.

@@ -6,6 +6,7 @@
 #include "evaluation/ablations.h"
 #include "grid/ray.h"
 #include "k_visibility/sparse_inverse.h"
+#include "simulation/building/floor_plan_generator.h"
 #include "structure_from_wifi/belief_map.h"
 #include "structure_from_wifi/input_error.h"
 #include "structure_from_wifi/mapper.h"
@@ -135,6 +136,14 @@ std::vector<BenchmarkMethod> benchmarkMethods(const std::vector<std::string>& na
                                }),
                 methods.end());
   return methods;
+}
+
+FloorPlan makeBenchmarkBuilding(std::uint64_t number) {
+  BuildingConfig config;
+  config.seed = number;
+  config.kind = number % 3 == 0 ? BuildingKind::kOffice : BuildingKind::kFlat;
+  config.area_m2 = 40.0 + 20.0 * static_cast<double>(number % 6);
+  return generateFloorPlan(config);
 }
 
 std::vector<BenchmarkMetrics> runBenchmark(const Scenario& scenario,

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "evaluation/evaluation.h"
+#include "simulation/building/floor_plan.h"
 #include "simulation/scenario.h"
 #include "structure_from_wifi/config.h"
 
@@ -24,6 +26,10 @@ std::vector<BenchmarkMethod> benchmarkMethods();
 /// The methods of these names, in the order of the tables, each once. No names select all methods.
 /// @throw InputError naming an unknown method and the known ones.
 std::vector<BenchmarkMethod> benchmarkMethods(const std::vector<std::string>& names);
+
+/// Generates the building of a number: every third one is an office, and sizes range from 40 to
+/// 140 m2. Deterministic.
+FloorPlan makeBenchmarkBuilding(std::uint64_t number);
 
 /// One map of a recording with its metrics.
 struct BenchmarkMetrics {

@@ -6,6 +6,7 @@
 #include "base/constants.h"
 #include "grid/distance_transform.h"
 #include "grid/for_each_cell.h"
+#include "simulation/building/floor_plan_generator.h"
 
 namespace sfw {
 namespace {
@@ -85,6 +86,17 @@ std::vector<Position> smoothed(const std::vector<Position>& route, const Clearan
 }
 
 }  // namespace
+
+FloorPlan makeTrainingBuilding(std::int64_t seed) {
+  constexpr std::uint64_t kStream = 0x666974;  // no simulation uses it
+  Random random(seed, kStream, 0);
+  BuildingConfig config;
+  config.seed = static_cast<std::uint64_t>(seed);
+  config.kind = random.uniform() < 0.25 ? BuildingKind::kOffice : BuildingKind::kFlat;
+  config.area_m2 = random.uniform(35.0, 135.0);
+  config.rotation_rad = random.uniform() < 0.5 ? 0.0 : random.uniform(0.0, 1.57);
+  return generateFloorPlan(config);
+}
 
 void cutOut(FloorPlan& plan, Random& random) {
   constexpr double kWall = 0.2;  // [m]

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "base/random.h"
@@ -8,7 +9,11 @@
 
 namespace sfw {
 
-/// Random variations of buildings and routes, for training drives.
+// Buildings for training drives, and random variations of buildings and routes.
+
+/// Generates a building of 35 to 135 m2: one in four is an office, and every second one is rotated.
+/// Deterministic.
+FloorPlan makeTrainingBuilding(std::int64_t seed);
 
 /// Cuts one to three rectangles of 1 to 5 m out of a building: with walls around, unknown inside.
 void cutOut(FloorPlan& plan, Random& random);

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <new>
 #include <optional>
+#include <string>
 #include <system_error>
 
 #include "cli/bench/bench_store.h"
@@ -13,7 +14,6 @@
 #include "cli/progress.h"
 #include "evaluation/scoring_suite.h"
 #include "files/text.h"
-#include "simulation/building/floor_plan_generator.h"
 #include "simulation/building/floor_plan_io.h"
 #include "simulation/scenario.h"
 #include "structure_from_wifi/settings_io.h"
@@ -28,12 +28,7 @@ FloorPlan planOf(const std::string& name) {
   if (name.rfind(kGenerated, 0) != 0) {
     return readFloorPlan(name);
   }
-  // Every third building is an office. Sizes range from small flats to whole floors.
-  BuildingConfig config;
-  config.seed = std::stoull(name.substr(sizeof kGenerated - 1));
-  config.kind = config.seed % 3 == 0 ? BuildingKind::kOffice : BuildingKind::kFlat;
-  config.area_m2 = 40.0 + 20.0 * static_cast<double>(config.seed % 6);
-  return generateFloorPlan(config);
+  return makeBenchmarkBuilding(std::stoull(name.substr(sizeof kGenerated - 1)));
 }
 
 /// Inputs that all recordings of a run share.
