@@ -15,7 +15,7 @@
 #include "base/random.h"
 #include "grid/for_each_cell.h"
 #include "k_visibility/k_visibility.h"
-#include "simulation/building/floor_plan_generator.h"
+#include "office_floor.h"
 #include "simulation/building/floor_plan_io.h"
 #include "simulation/building/wall_crossings.h"
 
@@ -38,11 +38,8 @@ double milliseconds(Work&& work) {
 
 /// Office floors side by side.
 Grid<CellState> tiledOffice(std::int64_t side) {
-  BuildingConfig config;
-  config.kind = BuildingKind::kOffice;
-  config.area_m2 = 300.0;
-  const Grid<CellState> tile = toStates(generateFloorPlan(config));
-  Grid<CellState> plan(GridGeometry(config.resolution_m, Position::Zero(), side, side));
+  const Grid<CellState> tile = toStates(officeFloor(300.0));
+  Grid<CellState> plan(GridGeometry(tile.geometry.resolution(), Position::Zero(), side, side));
   forEachCell(plan.geometry, [&](Cell c) {
     plan[c] = tile[{c.x % tile.geometry.width(), c.y % tile.geometry.height()}];
   });

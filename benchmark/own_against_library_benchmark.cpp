@@ -14,17 +14,16 @@
 #include <boost/geometry/index/rtree.hpp>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <exception>
-#include <functional>
 #include <iterator>
 #include <random>
 #include <utility>
 #include <vector>
 
+#include "comparison.h"
+#include "office_floor.h"
 #include "radio/nearest_neighbours.h"
 #include "radio/vecchia_rows.h"
-#include "simulation/building/floor_plan_generator.h"
 #include "simulation/robot/route.h"
 #include "simulation/robot/route_planner.h"
 #include "tomography/line_rays.h"
@@ -33,41 +32,9 @@
 namespace sfw {
 namespace {
 
-constexpr int kRepetitions = 15;
 constexpr double kBin = 0.2;   // [m]
 constexpr double kLine = 0.2;  // [m], edge of a cell of the lattice of walls
 constexpr int kNeighbours = 12;
-
-volatile double consumed = 0.0;  // keeps the compiler from removing the work
-
-double cpuSeconds(const std::function<double()>& work) {
-  const std::clock_t start = std::clock();
-  consumed = consumed + work();
-  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-/// Prints the least time of both, and the ratio of the library's time to ours.
-void compare(const char* part, std::size_t size, const std::function<double()>& own,
-             const std::function<double()>& library) {
-  std::vector<double> own_s, library_s, ratios;
-  for (int i = 0; i < kRepetitions; ++i) {
-    own_s.push_back(cpuSeconds(own));
-    library_s.push_back(cpuSeconds(library));
-    ratios.push_back(library_s.back() / own_s.back());
-  }
-  const double own_best_s = *std::min_element(own_s.begin(), own_s.end());
-  const double library_best_s = *std::min_element(library_s.begin(), library_s.end());
-  std::printf("| %s | %zu | %.2f | %.2f | %.2f | %.2f | %.2f |\n", part, size, 1e3 * own_best_s,
-              1e3 * library_best_s, library_best_s / own_best_s, median(ratios),
-              *std::min_element(ratios.begin(), ratios.end()));
-  std::fflush(stdout);
-}
 
 struct Drive {
   GridGeometry lattice;
@@ -77,10 +44,7 @@ struct Drive {
 
 /// Positions every 0.2 m on laps along the walls. Each lap is 7 cm beside the previous one.
 Drive officeDrive(std::size_t count) {
-  BuildingConfig building;
-  building.kind = BuildingKind::kOffice;
-  building.area_m2 = 400.0;
-  const FloorPlan plan = generateFloorPlan(building);
+  const FloorPlan plan = officeFloor();
   const Route route(planRoute(toStates(plan), RouteKind::kWalls), 1.0, 1000.0);
   std::vector<Position> positions;
   for (std::size_t i = 0; i < count; ++i) {

@@ -21,10 +21,10 @@
 #include <vector>
 
 #include "belief/fused_belief.h"
+#include "office_floor.h"
 #include "radio/shadowing.h"
 #include "ros/conversion/markers.h"
 #include "ros/conversion/message_conversion.h"
-#include "simulation/building/floor_plan_generator.h"
 #include "simulation/robot/route_planner.h"
 #include "simulation/scenario.h"
 #include "structure_from_wifi/mapper.h"
@@ -54,13 +54,10 @@ double cpuSeconds(Work&& work, int repetitions = kRepetitions) {
 /// A drive along the walls of all rooms, then on patrol, then along the walls at another clearance,
 /// and so on: no two laps have the same positions.
 Scenario longDrive() {
-  BuildingConfig building;
-  building.kind = BuildingKind::kOffice;
-  building.area_m2 = 400.0;
   ScenarioConfig config;
   config.access_points = 3;
   config.robot_radius_m = kRobotRadius;
-  Scenario scenario = makeScenario(generateFloorPlan(building), {}, config);
+  Scenario scenario = makeScenario(officeFloor(), {}, config);
   const Grid<CellState> states = toStates(scenario.plan);
   for (const double clearance : {0.3, 0.2, 0.4}) {
     for (const RouteKind kind : {RouteKind::kSparse, RouteKind::kWalls}) {
@@ -175,6 +172,39 @@ Mask pathCells(const CellFeatures& cells) {
   return path;
 }
 
+DrivenPath drivenPath(const DriveData& drive, const DriveFeatures& described,
+                      const Config::Path& config) {
+  DrivenPath path{pathCells(described.cells), {}, config.max_gap_m, config.footprint_radius_m};
+  for (const Position& position : drive.path) {
+    path.driven.push_back(described.frame.toBuilding(position));
+  }
+  return path;
+}
+
+std::size_t countBins(const std::vector<AccessPointBins>& access_points) {
+  std::size_t bins = 0;
+  for (const AccessPointBins& one : access_points) {
+    bins += one.bins.size();
+  }
+  return bins;
+}
+
+/// The time of the precisions of the whole ensemble.
+double precisionSeconds(const std::vector<AccessPointBins>& access_points,
+                        const WallFieldConfig& config) {
+  double sum = 0.0;
+  for (const AccessPointBins& one : access_points) {
+    const auto part = static_cast<std::size_t>((1.0 - config.holdout_fraction) *
+                                               static_cast<double>(one.bins.size()));
+    sum += config.ensemble_size * cpuSeconds([&] {
+             return precisionOf(one, part, config.line.covariance)
+                 .times(Eigen::VectorXd::Ones(static_cast<Eigen::Index>(part)))
+                 .sum();
+           });
+  }
+  return sum;
+}
+
 void measure(double minutes, const Mapper& mapper, const std::vector<AccessPoint>& access_points) {
   const Config config;
   const std::atomic<bool> never{false};
@@ -183,28 +213,8 @@ void measure(double minutes, const Mapper& mapper, const std::vector<AccessPoint
   WallFieldConfig walls;
   walls.line.max_total_wall_loss_db = std::numeric_limits<double>::infinity();
   walls.line.covariance.nugget_db2 = config.tomography.nugget_db * config.tomography.nugget_db;
-  const DrivenPath path{pathCells(described.cells),
-                        [&] {
-                          std::vector<Position> driven;
-                          for (const Position& position : drive.path) {
-                            driven.push_back(described.frame.toBuilding(position));
-                          }
-                          return driven;
-                        }(),
-                        config.path.max_gap_m, config.path.footprint_radius_m};
-
-  std::size_t bins = 0;
-  double precision = 0.0;
-  for (const AccessPointBins& one : described.access_points) {
-    bins += one.bins.size();
-    const auto part = static_cast<std::size_t>((1.0 - walls.holdout_fraction) *
-                                               static_cast<double>(one.bins.size()));
-    precision += walls.ensemble_size * cpuSeconds([&] {
-                   return precisionOf(one, part, walls.line.covariance)
-                       .times(Eigen::VectorXd::Ones(static_cast<Eigen::Index>(part)))
-                       .sum();
-                 });
-  }
+  const DrivenPath path = drivenPath(drive, described, config.path);
+  const double precision = precisionSeconds(described.access_points, walls);
   const double wall_field = cpuSeconds([&] {
     return estimateWalls(path.cells.geometry, described.access_points, path.cells,
                          path.robot_radius_m, walls, never)
@@ -226,8 +236,9 @@ void measure(double minutes, const Mapper& mapper, const std::vector<AccessPoint
   std::printf(
       "| %.0f min | %zu | %zu | %zu | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.1f "
       "| %.1f |\n",
-      minutes, mapper.readings().size(), bins, described.cells.cells.size(), precision, wall_field,
-      features, inference - wall_field - features, sorting, publishing, refresh, octomaps, plain,
+      minutes, mapper.readings().size(), countBins(described.access_points),
+      described.cells.cells.size(), precision, wall_field, features,
+      inference - wall_field - features, sorting, publishing, refresh, octomaps, plain,
       plain / refresh);
 }
 

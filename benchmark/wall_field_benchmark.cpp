@@ -16,8 +16,8 @@
 #include <utility>
 #include <vector>
 
+#include "office_floor.h"
 #include "radio/radio_bins.h"
-#include "simulation/building/floor_plan_generator.h"
 #include "simulation/radio/noise_level.h"
 #include "simulation/radio/radio_model.h"
 #include "simulation/robot/route_planner.h"
@@ -96,10 +96,7 @@ void measure(const std::string& name, const std::vector<AccessPointBins>& heard,
 
 /// Bins every 0.2 m of a drive along the walls, repeated until there are enough.
 void measureOffice(std::size_t count, std::int64_t access_points) {
-  BuildingConfig building;
-  building.kind = BuildingKind::kOffice;
-  building.area_m2 = 400.0;
-  const FloorPlan plan = generateFloorPlan(building);
+  const FloorPlan plan = officeFloor();
   const RadioModel radio(plan, asTransmitters(placeAccessPoints(plan, access_points, 1)),
                          radioConfig(noiseLevel("realistic"), 1));
   const Route route(planRoute(toStates(plan), RouteKind::kWalls), 1.0, 1000.0);
