@@ -124,9 +124,10 @@ SignalPrecision precisionOf(AccessPointBins access_point, std::size_t count,
 }
 
 /// The time of all gradients of the ensemble, computed plainly, without the set-up.
-double plainSeconds(const std::vector<AccessPointBins>& heard, const WallFieldConfig& config) {
+double plainSeconds(const std::vector<AccessPointBins>& access_points,
+                    const WallFieldConfig& config) {
   double sum = 0.0;
-  for (const AccessPointBins& one : heard) {
+  for (const AccessPointBins& one : access_points) {
     Box box(one.position);
     for (const RadioBin& bin : one.bins) {
       box.extend(bin.position);

@@ -51,9 +51,10 @@ double seconds(Work&& work) {
 
 /// The time of all products with dense matrices that the members' solutions need. One product of
 /// each matrix is measured.
-double denseSeconds(const std::vector<AccessPointBins>& heard, const WallFieldConfig& config) {
+double denseSeconds(const std::vector<AccessPointBins>& access_points,
+                    const WallFieldConfig& config) {
   double sum = 0.0;
-  for (const AccessPointBins& one : heard) {
+  for (const AccessPointBins& one : access_points) {
     const double share = config.ensemble_size > 1 ? 1.0 - config.holdout_fraction : 1.0;
     const auto size = static_cast<Eigen::Index>(share * static_cast<double>(one.bins.size()));
     const Eigen::MatrixXd precision = Eigen::MatrixXd::Constant(size, size, 0.5);
@@ -63,10 +64,10 @@ double denseSeconds(const std::vector<AccessPointBins>& heard, const WallFieldCo
   return sum * 2.0 * config.line.iterations * config.ensemble_size;
 }
 
-void measure(const std::string& name, const std::vector<AccessPointBins>& heard,
+void measure(const std::string& name, const std::vector<AccessPointBins>& access_points,
              const std::vector<Position>& path) {
   Box box;
-  for (const AccessPointBins& one : heard) {
+  for (const AccessPointBins& one : access_points) {
     box.extend(one.position);
   }
   for (const Position& position : path) {
@@ -82,16 +83,16 @@ void measure(const std::string& name, const std::vector<AccessPointBins>& heard,
   const WallFieldConfig config;
   const std::atomic<bool> never{false};
   const double ours = seconds([&] {
-    return estimateWalls(geometry, heard, driven, kRadius, config, never).ray_loss_db[0][0];
+    return estimateWalls(geometry, access_points, driven, kRadius, config, never).ray_loss_db[0][0];
   });
-  const double dense = denseSeconds(heard, config);
+  const double dense = denseSeconds(access_points, config);
   std::size_t bins = 0;
-  for (const AccessPointBins& one : heard) {
+  for (const AccessPointBins& one : access_points) {
     bins += one.bins.size();
   }
-  std::printf("| %s | %zu | %zu | %zu | %.3f | %.1f | %.2f | %.1f |\n", name.c_str(), heard.size(),
-              bins, geometry.size(), ours, 1e6 * ours / static_cast<double>(bins), dense,
-              dense / ours);
+  std::printf("| %s | %zu | %zu | %zu | %.3f | %.1f | %.2f | %.1f |\n", name.c_str(),
+              access_points.size(), bins, geometry.size(), ours,
+              1e6 * ours / static_cast<double>(bins), dense, dense / ours);
 }
 
 /// Bins every 0.2 m of a drive along the walls, repeated until there are enough.
@@ -101,24 +102,24 @@ void measureOffice(std::size_t count, std::int64_t access_points) {
                          radioConfig(noiseLevel("realistic"), 1));
   const Route route(planRoute(toStates(plan), RouteKind::kWalls), 1.0, 1000.0);
   std::vector<Position> path;
-  std::vector<AccessPointBins> heard(radio.transmitters().size());
-  for (std::size_t i = 0; i < heard.size(); ++i) {
-    heard[i].position = radio.transmitters()[i].access_point.position;
-    heard[i].noise_db2 = 9.0;
+  std::vector<AccessPointBins> binned(radio.transmitters().size());
+  for (std::size_t i = 0; i < binned.size(); ++i) {
+    binned[i].position = radio.transmitters()[i].access_point.position;
+    binned[i].noise_db2 = 9.0;
   }
   for (std::size_t i = 0; i < count; ++i) {
     const double time = std::fmod(kBin * static_cast<double>(i), route.duration());
     const RobotPose pose = route.poseAt(time);
     path.push_back(pose.position);
-    for (std::size_t j = 0; j < heard.size(); ++j) {
-      heard[j].bins.push_back({pose.position, radio.meanRssi(j, pose), 1.0});
+    for (std::size_t j = 0; j < binned.size(); ++j) {
+      binned[j].bins.push_back({pose.position, radio.meanRssi(j, pose), 1.0});
     }
   }
-  measure("office", heard, path);
+  measure("office", binned, path);
 }
 
 void measureRecording(const std::string& readings, const std::string& access_points) {
-  std::vector<AccessPointBins> heard;
+  std::vector<AccessPointBins> binned;
   std::vector<Position> path;
   const ReadingFile file = readReadings(readings);
   for (const Reading& reading : file.readings) {
@@ -136,10 +137,10 @@ void measureRecording(const std::string& readings, const std::string& access_poi
       }
     }
     if (!samples.empty()) {
-      heard.push_back(binSamples(samples, one.position, one.height_m, frame, kBin));
+      binned.push_back(binSamples(samples, one.position, one.height_m, frame, kBin));
     }
   }
-  measure("recording", heard, path);
+  measure("recording", binned, path);
 }
 
 }  // namespace

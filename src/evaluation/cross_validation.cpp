@@ -53,12 +53,15 @@ double rootMeanSquare(double sum, std::size_t count) {
 /// A log-distance law fitted to bins, with the residual of each bin.
 class Law {
  public:
-  Law(const AccessPointBins& heard, const Bins& bins, const SignalCovariance& model)
-      : heard_(heard), model_(model), positions_(positionsOf(heard)), nearest_(positions_) {
-    for (std::size_t i = 0; i < heard.bins.size(); ++i) {
+  Law(const AccessPointBins& access_point, const Bins& bins, const SignalCovariance& model)
+      : access_point_(access_point),
+        model_(model),
+        positions_(positionsOf(access_point)),
+        nearest_(positions_) {
+    for (std::size_t i = 0; i < access_point.bins.size(); ++i) {
       nearest_.enter(static_cast<int>(i));
     }
-    const ShadowingWhitener whitener(heard, model);
+    const ShadowingWhitener whitener(access_point, model);
     const Eigen::MatrixXd white = whitener.whitened(bins.basis);
     const Eigen::Vector2d prior(kPriorPowerDbm, -kPriorExponent);
     const Eigen::Vector2d deviation(model.power_sd_db, model.exponent_sd);
@@ -81,7 +84,7 @@ class Law {
     Eigen::VectorXd residual(size);
     for (Eigen::Index i = 0; i < size; ++i) {
       const auto [square, at] = nearest[static_cast<std::size_t>(i)];
-      const RadioBin& bin = heard_.bins[static_cast<std::size_t>(at)];
+      const RadioBin& bin = access_point_.bins[static_cast<std::size_t>(at)];
       with[i] = shared(std::sqrt(square));
       residual[i] = residual_[at];
       for (Eigen::Index j = 0; j < size; ++j) {
@@ -94,13 +97,13 @@ class Law {
   }
 
  private:
-  double noiseAt(const RadioBin& bin) const { return heard_.noise_db2 / bin.readings; }
+  double noiseAt(const RadioBin& bin) const { return access_point_.noise_db2 / bin.readings; }
   double shared(double distance) const {
     return model_.shadowing_db * model_.shadowing_db *
            std::exp(-distance / model_.shadowing_distance_m);
   }
 
-  const AccessPointBins& heard_;
+  const AccessPointBins& access_point_;
   const SignalCovariance& model_;
   std::vector<Position> positions_;
   NearestNeighbours nearest_;
@@ -207,17 +210,17 @@ class Prediction {
     }
   }
 
-  Bins describe(const AccessPointBins& heard, const WallField* field) const {
-    const auto count = static_cast<Eigen::Index>(heard.bins.size());
+  Bins describe(const AccessPointBins& access_point, const WallField* field) const {
+    const auto count = static_cast<Eigen::Index>(access_point.bins.size());
     Bins bins{Eigen::VectorXd(count), Eigen::VectorXd::Zero(count), Eigen::MatrixXd(count, 2)};
     for (Eigen::Index i = 0; i < count; ++i) {
-      const RadioBin& bin = heard.bins[static_cast<std::size_t>(i)];
+      const RadioBin& bin = access_point.bins[static_cast<std::size_t>(i)];
       if (field != nullptr) {
-        bins.wall_loss[i] = limitedLoss(lossBetween(*field, heard.position, bin.position),
+        bins.wall_loss[i] = limitedLoss(lossBetween(*field, access_point.position, bin.position),
                                         config_.walls.line.max_total_wall_loss_db);
       }
       bins.signals[i] = bin.rssi_dbm + bins.wall_loss[i];
-      bins.basis.row(i) << 1.0, logDistance(heard, bin.position);
+      bins.basis.row(i) << 1.0, logDistance(access_point, bin.position);
     }
     return bins;
   }

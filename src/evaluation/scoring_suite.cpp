@@ -63,25 +63,25 @@ class Benchmark {
     results_.push_back({made_by, metrics});
   }
 
-  BeliefMap inferred(const Mapper& mapper, const std::vector<CountedPath>& heard,
+  BeliefMap inferred(const Mapper& mapper, const std::vector<CountedPath>& counted,
                      const Config& config) const {
     const std::atomic<bool> never{false};
-    return {inferOccupancy(mapper.geometry(), heard, input_.path, {}, sparseInverseConfig(config),
+    return {inferOccupancy(mapper.geometry(), counted, input_.path, {}, sparseInverseConfig(config),
                            never),
             config.belief};
   }
 
   std::vector<CountedPath> trueCounts() const {
-    std::vector<CountedPath> heard;
+    std::vector<CountedPath> counted;
     for (const Position& access_point : input_.access_points) {
-      heard.push_back({access_point, {}});
+      counted.push_back({access_point, {}});
     }
     for (std::size_t i = 0; i < recording_.readings.size(); ++i) {
       const ReadingTruth& truth = recording_.truth[i];
-      heard[truth.access_point].poses.push_back(
+      counted[truth.access_point].poses.push_back(
           {recording_.readings[i].antenna_in_map, truth.walls});
     }
-    return heard;
+    return counted;
   }
 
   void freeEveryRay() {
