@@ -31,9 +31,9 @@ void check(const Config::KVisibility& config, Problems& problems) {
 
 void check(const Config::Tomography& config, Problems& problems) {
   problems.positive("tomography/bin_size", config.bin_size_m);
-  const double saturation = config.max_total_wall_loss_db;
-  problems.require(saturation == 0.0 || (std::isfinite(saturation) && saturation >= 1.0),
-                   "tomography/max_total_wall_loss", saturation, "0, or finite and at least 1 dB");
+  const double limit_db = config.max_total_wall_loss_db;
+  problems.require(limit_db == 0.0 || (std::isfinite(limit_db) && limit_db >= 1.0),
+                   "tomography/max_total_wall_loss", limit_db, "0, or finite and at least 1 dB");
   problems.notNegative("tomography/l1_weight", config.l1_weight);
   problems.notNegative("tomography/smoothness_weight", config.smoothness_weight);
   problems.positive("tomography/nugget", config.nugget_db);

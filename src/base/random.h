@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/constants.h"
+
 namespace sfw {
 
 /// Random numbers by SplitMix64 (Steele et al. 2014) and Box-Muller.
@@ -29,9 +31,8 @@ class Random {
 
   /// A normal variate of mean 0 and standard deviation 1.
   double normal() {
-    constexpr double kTwoPi = 6.28318530717958647693;
     const double radius = std::sqrt(-2.0 * std::log(uniform()));
-    return radius * std::cos(kTwoPi * uniform());
+    return radius * std::cos(2.0 * kPi * uniform());
   }
 
  private:

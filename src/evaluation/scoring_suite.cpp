@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 
+#include "base/erase_if.h"
 #include "evaluation/ablations.h"
 #include "grid/ray.h"
 #include "k_visibility/sparse_inverse.h"
@@ -129,12 +130,9 @@ std::vector<BenchmarkMethod> benchmarkMethods(const std::vector<std::string>& na
       throw InputError("methods: there is no '" + name + "'; there are: " + known);
     }
   }
-  methods.erase(std::remove_if(methods.begin(), methods.end(),
-                               [&](const BenchmarkMethod& method) {
-                                 return !names.empty() && std::find(names.begin(), names.end(),
-                                                                    method.name) == names.end();
-                               }),
-                methods.end());
+  eraseIf(methods, [&](const BenchmarkMethod& method) {
+    return !names.empty() && std::find(names.begin(), names.end(), method.name) == names.end();
+  });
   return methods;
 }
 

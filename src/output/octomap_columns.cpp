@@ -12,7 +12,6 @@ namespace {
 using Node = octomap::OcTreeNode;
 
 constexpr int kDepth = 16;  // of every OctoMap: levels below the root
-constexpr std::int64_t kReach = 32768;
 constexpr unsigned kChildren = 8;
 
 /// OctoMap can make a root only together with a voxel at full depth.
@@ -45,7 +44,8 @@ struct Block {
 /// The blocks of cells of 1, 2, 4, ... cells a side, as the tree divides them.
 class Blocks {
  public:
-  Blocks(const Grid<Column>& columns, Cell first) : first_{first.x + kReach, first.y + kReach} {
+  Blocks(const Grid<Column>& columns, Cell first)
+      : first_{first.x + kOctomapReach, first.y + kOctomapReach} {
     levels_.reserve(kDepth + 1);
     levels_.emplace_back(
         GridGeometry(1.0, Position::Zero(), columns.geometry.width(), columns.geometry.height()));
@@ -96,7 +96,7 @@ class Builder {
   /// Fills the node of 2^level voxels a side with these numbers; something is in it.
   void fill(Node* node, int level, std::int64_t x, std::int64_t y, std::int64_t z) {
     const Block block = blocks_.at(level, x, y);
-    if (block.alike && block.least >= ((z + 1) << level) - kReach) {
+    if (block.alike && block.least >= ((z + 1) << level) - kOctomapReach) {
       node->setLogOdds(block.log_odds);
       return;
     }
@@ -104,7 +104,7 @@ class Builder {
       const std::int64_t child_x = 2 * x + (i & 1U);
       const std::int64_t child_y = 2 * y + ((i >> 1U) & 1U);
       const std::int64_t child_z = 2 * z + (i >> 2U);
-      const std::int64_t floor = (child_z << (level - 1)) - kReach;
+      const std::int64_t floor = (child_z << (level - 1)) - kOctomapReach;
       if (floor >= 0 && blocks_.at(level - 1, child_x, child_y).most > floor) {
         fill(tree_.createNodeChild(node, i), level - 1, child_x, child_y, child_z);
       }

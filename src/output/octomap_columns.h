@@ -19,8 +19,8 @@ struct Column {
 /// equal voxels are merged from the start.
 ///
 /// @param columns  their resolution is the tree's
-/// @param first    voxel of the first cell, from the map's origin; all lie within 32768 of it
-/// O(cells + nodes).
+/// @param first    voxel of the first cell, from the map's origin; all lie within kOctomapReach of
+/// it O(cells + nodes).
 std::unique_ptr<octomap::OcTree> treeOfColumns(const Grid<Column>& columns, Cell first);
 
 /// Copies a tree with every voxel made certain, so that more neighbours merge.

@@ -61,11 +61,11 @@ std::unique_ptr<octomap::OcTree> toOctomap(const BeliefMap& belief, const Config
     // OctoMap has no thresholds. Its voxels are occupied from a half on; ours follow the state of
     // the cell.
     constexpr float kLeast = 1.0F / 16.0F;  // a step of BeliefMap
-    const float believed =
+    const float log_odds =
         std::clamp(octomap::logodds(belief.occupied(c)), octomap::logodds(kLeastCertain),
                    octomap::logodds(1.0 - kLeastCertain));
-    columns[c] = state == CellState::kOccupied ? Column{wall_layers, std::max(believed, kLeast)}
-                                               : Column{robot_layers, std::min(believed, -kLeast)};
+    columns[c] = state == CellState::kOccupied ? Column{wall_layers, std::max(log_odds, kLeast)}
+                                               : Column{robot_layers, std::min(log_odds, -kLeast)};
   });
   auto tree = treeOfColumns(columns, latticeCell(geometry));
   // OctoMap's own limits would make certain cells less certain.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "grid/for_each_cell.h"
 #include "structure_from_wifi/map_notes.h"
 #include "structure_from_wifi/version.h"
 
@@ -15,11 +16,10 @@ Json describe(const Config& config) {
   Json settings;
   forEachSetting(config, [&](const std::string& name, const auto& value) {
     const std::size_t slash = name.find('/');
-    const std::string group = name.substr(0, slash);
     if (slash == std::string::npos) {
       settings[name] = value;
-    } else if (group != "ros") {  // the origin of a map does not change it
-      settings[group][name.substr(slash + 1)] = value;
+    } else {
+      settings[name.substr(0, slash)][name.substr(slash + 1)] = value;
     }
   });
   return settings;
@@ -94,14 +94,11 @@ Json describe(const BeliefMap& belief) {
   const GridGeometry& geometry = belief.geometry();
   std::size_t free = 0;
   std::size_t occupied = 0;
-  Cell c;
-  for (c.y = 0; c.y < geometry.height(); ++c.y) {
-    for (c.x = 0; c.x < geometry.width(); ++c.x) {
-      const CellState state = belief.state(c);
-      free += state == CellState::kFree ? 1 : 0;
-      occupied += state == CellState::kOccupied ? 1 : 0;
-    }
-  }
+  forEachCell(geometry, [&](Cell c) {
+    const CellState state = belief.state(c);
+    free += state == CellState::kFree ? 1 : 0;
+    occupied += state == CellState::kOccupied ? 1 : 0;
+  });
   const double area = geometry.resolution() * geometry.resolution();
   return {{"width", geometry.width()},
           {"height", geometry.height()},

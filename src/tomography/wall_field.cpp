@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "base/constants.h"
+#include "base/erase_if.h"
 #include "base/random.h"
 #include "base/random_streams.h"
 #include "grid/distance_transform.h"
@@ -60,11 +61,8 @@ std::vector<AccessPointBins> subsample(int member,
   }
   for (std::size_t i = 0; i < part.size(); ++i) {
     Random random(member, streamOf(Purpose::kLeftOutBins, i), 0);
-    std::vector<RadioBin>& bins = part[i].bins;
-    bins.erase(std::remove_if(
-                   bins.begin(), bins.end(),
-                   [&](const RadioBin&) { return random.uniform() <= config.holdout_fraction; }),
-               bins.end());
+    eraseIf(part[i].bins,
+            [&](const RadioBin&) { return random.uniform() <= config.holdout_fraction; });
   }
   return part;
 }

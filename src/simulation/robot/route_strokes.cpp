@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/constants.h"
 #include "grid/contour.h"
 #include "grid/for_each_cell.h"
 #include "grid/morphology.h"
@@ -65,7 +66,7 @@ TurnedBox boxAround(const std::vector<Cell>& cells, double angle_rad) {
 
 TurnedBox smallestBoxAround(const std::vector<Cell>& cells) {
   constexpr int kDegrees = 90;
-  constexpr double kDegree = 3.14159265358979323846 / 180.0;
+  constexpr double kDegree = kPi / 180.0;
   TurnedBox best = boxAround(cells, 0.0);
   for (int degree = 1; degree < kDegrees; ++degree) {
     const TurnedBox box = boxAround(cells, kDegree * degree);

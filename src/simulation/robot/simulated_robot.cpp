@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "base/constants.h"
 #include "base/validation.h"
 #include "structure_from_wifi/input_error.h"
 
@@ -155,8 +156,7 @@ void SimulatedRobot::driveChord(double duration_s) {
     driven_m_ += path.length_m;
     speed_m_s_ = path.obstacle ? 0.0 : speed_m_s_;
   }
-  constexpr double kFullTurn = 6.28318530717958647693;
-  pose_.yaw_rad = std::remainder(pose_.yaw_rad + 2.0 * half_turn, kFullTurn);
+  pose_.yaw_rad = std::remainder(pose_.yaw_rad + 2.0 * half_turn, 2.0 * kPi);
 }
 
 std::optional<Position> SimulatedRobot::contact() const {
