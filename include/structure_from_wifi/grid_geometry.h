@@ -23,7 +23,7 @@ struct Cell {
 
 /// The position, size and resolution of a grid in the map frame. Immutable.
 ///
-/// Cell (0, 0) has its lower left corner at origin(); a point on a cell's lower or left edge
+/// Cell (0, 0) has its lower left corner at origin(). A point on a cell's lower or left edge
 /// belongs to that cell (floor), so the far edges of the grid lie outside it.
 class SFW_EXPORT GridGeometry {
  public:

@@ -11,11 +11,11 @@ namespace sfw {
 /// Estimates the position of an access point from its readings (doc/method/access_points.md).
 ///
 /// The readings are averaged in square bins. Each position of a grid gets the marginal likelihood
-/// of the bins' means, with these priors: power -37 +- 8 dBm at 1 m, exponent 2.1 +- 0.4, walls 0.6
-/// +- 0.6 dB/m, and first and second harmonics of the bearing +- 1.6 and 1.4 dB. The same
-/// likelihood chooses the strength and reach of shadow fading from 12 pairs. An access point of
-/// unknown height is assumed to be 0.8 m above the antenna. Grid cells of high likelihood are
-/// quartered twice. The result is the mean and covariance of the likelihood over all cells.
+/// of the bins' means. The priors are: power -37 +- 8 dBm at 1 m, exponent 2.1 +- 0.4, walls 0.6 +-
+/// 0.6 dB/m, and first and second harmonics of the bearing +- 1.6 and 1.4 dB. The same likelihood
+/// chooses the strength and reach of shadow fading from 12 pairs. An access point of unknown height
+/// is assumed to be 0.8 m above the antenna. Grid cells of high likelihood are quartered twice. The
+/// result is the mean and covariance of the likelihood over all cells.
 ///
 /// @param samples   in any order; map frame
 /// @param height_m  of the access point above the floor, if known

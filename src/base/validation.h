@@ -32,8 +32,12 @@ class Problems {
   void within(const std::string& name, double value, double low, double high,
               const std::string& unit = "");
 
+  /// Requires a finite number above 0.
   void positive(const std::string& name, double value);
+
+  /// Requires a finite number of at least 0.
   void notNegative(const std::string& name, double value);
+
   void atLeast(const std::string& name, std::int64_t value, std::int64_t least);
 
   /// Requires a value between 0 and 1, both excluded.

@@ -8,7 +8,7 @@
 
 namespace sfw {
 
-/// Decides which cells are free, occupied or unknown: the last steps from probabilities to a map.
+// Decides which cells are free, occupied or unknown: the last steps from probabilities to a map.
 
 /// Enters the evidence of the robot's body: its footprint along the path becomes free, and the
 /// cells of contacts become occupied.

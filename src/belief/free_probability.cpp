@@ -15,9 +15,9 @@ namespace {
 /// walls are straight.
 constexpr double kStraightReach = 0.6;
 
-/// Weight of the line's mean in the log odds of a cell. Logistic regression of the states of cells
-/// on their own log odds and on the mean gives them .33 and .69 (240 training drives of other seeds
-/// than the belief model's).
+/// Weight of the line's mean in the log odds of a cell. A logistic regression of the states of
+/// cells on their own log odds and on the mean gives .33 and .69. It used 240 training drives of
+/// other seeds than the belief model's.
 constexpr float kLineWeight = 0.7F;
 
 /// The registration of path and map is uncertain by this much, which blurs the map [m].

@@ -7,7 +7,7 @@
 
 namespace sfw {
 
-/// The evidence of the robot's body: covered cells are free, and touched cells are not.
+// The evidence of the robot's body: covered cells are free, and touched cells are not.
 
 constexpr float kUnknownOccupancy = 0.5F;     ///< of a cell without any evidence
 constexpr float kFootprintOccupancy = 0.02F;  ///< of a cell that the robot's footprint covered

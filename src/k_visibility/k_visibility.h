@@ -21,7 +21,7 @@ constexpr std::uint8_t kWallCell = 255;
 /// ray nearly parallel to it may leave it between two steps and count it again
 /// (doc/method/k_visibility.md).
 ///
-/// One sweep over the grid: in each of four cones, the count is carried from row to row as a
+/// One sweep over the grid carries the count from row to row in each of four cones. The count is a
 /// piecewise constant function of the ray's slope, in exact integers (ConeSweep).
 /// O(cells + pieces of each row); the number of pieces is about that of visible wall ends.
 ///

@@ -70,9 +70,8 @@ class PathCells {
 
 /// Adds the evidence of one segment to its cells.
 ///
-/// Its variance grows with the square of its length: the midpoint of a long segment is a poor
-/// estimate of a wall's position, and two equal counts far apart hardly exclude a wall between
-/// them.
+/// Its variance grows with the square of its length. The midpoint of a long segment is a poor
+/// estimate of a wall's position. Two equal counts far apart hardly exclude a wall between them.
 void addSegment(const RaySegment& segment, const std::vector<Cell>& ray,
                 const SparseInverseConfig& config, Grid<CellEvidence>& evidence) {
   const double resolution = evidence.geometry.resolution();

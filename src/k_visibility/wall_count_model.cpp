@@ -8,8 +8,8 @@
 namespace sfw {
 namespace {
 
-/// Counts and prefix sums of values in bins of 0.1 dB, so that the cost of a cut is O(1) and the
-/// clustering's cost does not grow with the number of readings.
+/// Counts and prefix sums of values in bins of 0.1 dB. The prefix sums give the cost of a cut in
+/// O(1). The bins keep the clustering's cost from growing with the number of readings.
 class Histogram {
  public:
   explicit Histogram(const std::vector<double>& rssi_dbm) {

@@ -33,6 +33,7 @@ struct Inliers {
 Inliers withoutStrayPoses(std::vector<Reading> sorted, std::vector<Contact> contacts,
                           const std::map<Bssid, std::size_t>& index_of);
 
+/// The antenna positions of a path [m], map frame, in its order.
 std::vector<Position> positionsOf(const std::vector<PathPose>& path);
 
 /// Sorts readings by stamp and bssid, the strongest first where both are equal.

@@ -37,8 +37,8 @@ PathStyle measurePathStyle(const Mask& path, const Grid<float>& enclosed_depth_m
 
 /// Measures how well the path fits the building's axes at each cell that it crosses.
 ///
-/// The value is the mean cosine of four times the heading over 0.75 m to both sides: 1 along an
-/// axis, -1 midway between the axes, near 0 where the path winds, and 0 off the path.
+/// The value is the mean cosine of four times the heading over 0.75 m to both sides. It is 1 along
+/// an axis, -1 midway between the axes, near 0 where the path winds, and 0 off the path.
 /// @param driven,max_gap_m  as for measurePathStyle
 Grid<float> axisAlignment(const GridGeometry& geometry, const std::vector<Position>& driven,
                           double max_gap_m);

@@ -73,7 +73,7 @@ double lossBetween(const LineField& field, const Position& from, const Position&
 /// Line-field tomography: estimates the walls from all readings of all access points at once.
 ///
 /// Minimises 1/2 r' Q r + l1_weight sum w x + smoothness_weight sum sqrt(D^2 + 0.09) over losses x
-/// >= 0 [dB]. Here r is the signal without log-distance path loss and (limited) wall losses, Q is
+/// >= 0 [dB]. Here r is the signal without log-distance path loss and (limited) wall losses. Q is
 /// the inverse of SignalCovariance, and D is the change from cell to cell along a wall. Both
 /// penalties express that walls are few, long and straight. FISTA (Beck and Teboulle 2009) runs
 /// with w = 1, then again with w small where walls were found. The objective is convex if losses

@@ -27,9 +27,11 @@ class BenchStore {
   /// @throw std::system_error naming it
   explicit BenchStore(const std::string& directory);
 
+  /// The stored result of a key; nothing if there is none, or if its file is damaged.
   std::optional<std::string> find(const std::string& key) const;
 
-  /// @throw std::system_error
+  /// Stores the result of a key in place of an earlier one.
+  /// @throw std::system_error naming the file and why
   void save(const std::string& key, const std::string& result) const;
 
  private:

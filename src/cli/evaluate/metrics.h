@@ -58,6 +58,7 @@ void forEachMetric(const MapMetrics& m, Visitor&& visit) {
         within(m.radio, &RadioMetrics::wall_f1_four_cells));
 }
 
+/// All metrics by their keys; null where a metric is absent.
 inline nlohmann::json metricsJson(const MapMetrics& metrics) {
   nlohmann::json json;
   forEachMetric(metrics, [&](const char* key, const char*, std::optional<double> value) {

@@ -21,6 +21,7 @@ class OcTree;
 
 namespace sfw {
 
+/// A point at a height [m].
 geometry_msgs::Point toPoint(const Position& position, double z);
 
 /// The transform of a child frame at a position [m] and heading in its parent frame's plane.
@@ -39,12 +40,16 @@ nav_msgs::OccupancyGrid toTrinaryGrid(const Grid<CellState>& states,
 /// The probability of being occupied in percent, -1 in unknown cells.
 nav_msgs::OccupancyGrid toProbabilityGrid(const BeliefMap& belief, const std_msgs::Header& header);
 
+/// The poses of the path, each with its own stamp and without heading.
 nav_msgs::Path toPath(const Snapshot& snapshot, const std_msgs::Header& header);
 
+/// The access points in the order of the table, with estimates and checks. One without position has
+/// NaN as x and y.
 structure_from_wifi::AccessPoints toAccessPoints(const Snapshot& snapshot,
                                                  const DataFindings& findings,
                                                  const std_msgs::Header& header);
 
+/// The tree as occupied, free and unknown voxels, or with all log-odds.
 octomap_msgs::Octomap toBinaryOctomap(const octomap::OcTree& tree, const std_msgs::Header& header);
 octomap_msgs::Octomap toFullOctomap(const octomap::OcTree& tree, const std_msgs::Header& header);
 

@@ -54,6 +54,7 @@ class PortableRandom {
   /// A number in low..high, both included; `low` if the two are in the wrong order.
   int between(int low, int high);
 
+  /// True in `percent` of 100 draws.
   bool chance(int percent) { return between(1, 100) <= percent; }
 
  private:

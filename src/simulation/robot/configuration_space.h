@@ -100,6 +100,7 @@ class DriveDistance {
   explicit DriveDistance(const ConfigurationSpace& space)
       : space_(space), length_(space.geometry(), std::numeric_limits<double>::infinity()) {}
 
+  /// Adds cells to the set and lowers the lengths. O(changed cells log changed cells).
   void add(const std::vector<Cell>& places);
 
   /// The length to a cell [cells]; infinity if no drive leads there.

@@ -53,8 +53,8 @@ class SimulatedRobot {
   double drivenDistance() const { return driven_m_; }  ///< forwards and backwards [m]
   double speed() const { return speed_m_s_; }          ///< [m/s]
 
-  /// The nearest point of an obstacle within 0.1 mm that keeps the robot from driving forwards, as
-  /// a bumper on its front half would detect it; nothing if there is none.
+  /// The nearest point [m], map frame, of an obstacle within 0.1 mm that keeps the robot from
+  /// driving forwards. A bumper on its front half would detect it. Nothing if there is none.
   std::optional<Position> contact() const;
 
  private:
