@@ -1,5 +1,6 @@
 #include "evaluation/comparison_picture.h"
 
+#include "evaluation/evaluation_truth.h"
 #include "files/canvas.h"
 #include "grid/distance_transform.h"
 #include "grid/for_each_cell.h"
@@ -28,30 +29,16 @@ constexpr Colour kPath{0.55, 0.45, 0.75};
 constexpr Colour kPanelPath{0.20, 0.50, 0.90};  // where the path covers no colours
 constexpr Colour kTrueWall{0.93, 0.55, 0.50};
 
-/// The map's states on the truth's cells.
-Grid<CellState> onCellsOf(const GridGeometry& geometry, const Grid<CellState>& map) {
-  Grid<CellState> states(geometry);
-  forEachCell(geometry, [&](Cell c) {
-    const Cell in_map = map.geometry.cellAt(geometry.centre(c));
-    states[c] = map.geometry.contains(in_map) ? map[in_map] : CellState::kUnknown;
-  });
-  return states;
-}
-
 /// Distance to the nearest wall [cells].
 Grid<double> toWalls(const Grid<CellState>& states) {
-  Mask walls(states.geometry);
-  for (std::size_t i = 0; i < states.cells.size(); ++i) {
-    walls.cells[i] = states.cells[i] == CellState::kOccupied ? 1 : 0;
-  }
-  return distanceTransform(walls);
+  return distanceTransform(cellsOfState(states, CellState::kOccupied));
 }
 
 class Comparison {
  public:
   explicit Comparison(const EvaluationInput& input)
       : truth_(input.truth),
-        map_(onCellsOf(input.truth.geometry, input.map)),
+        map_(sampled(input.map, input.truth.geometry, CellState::kUnknown)),
         to_true_wall_(toWalls(truth_)),
         to_map_wall_(toWalls(map_)),
         reach_(kTolerance / truth_.geometry.resolution() + 1e-9) {}
