@@ -75,7 +75,7 @@ Box shownArea(const EvaluationInput& input) {
     }
   });
   if (area.isEmpty()) {
-    throw InputError("the truth has no known cell");
+    throw InputError("the truth has no known cell; check that its file is the true map");
   }
   for (const Position& pose : input.path) {
     area.extend(pose);

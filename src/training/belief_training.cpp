@@ -128,7 +128,7 @@ BeliefModel::Expert expertFor(DrivingStyle style, const std::vector<TrainingCell
   }
   constexpr std::size_t kLeastDrives = 5;  // for a covariance of three metrics
   if (styles.size() < kLeastDrives) {
-    throw std::invalid_argument("a belief model needs five drives of each style");
+    throw std::invalid_argument("a belief model needs five drives of each style; simulate more");
   }
   const auto count = static_cast<double>(styles.size());
   BeliefModel::Expert expert;
