@@ -5,8 +5,6 @@
 namespace sfw {
 namespace {
 
-constexpr int kToCm2 = 10'000;  // from m2
-
 std::vector<RoomChoice> deepRow() {
   return {{RoomKind::kBedroom, 270, 420, 6, 9},
           {RoomKind::kStudy, 230, 320, 2, 1},

@@ -129,6 +129,8 @@ class FloorLayout {
   std::vector<std::pair<std::size_t, std::size_t>> connections_;
 };
 
+constexpr int kToCm2 = 10'000;  ///< factor from m2
+
 /// Draws a flat into an empty layout. @param area_m2 of floor and interior walls
 void drawFlat(int area_m2, FloorLayout& layout);
 

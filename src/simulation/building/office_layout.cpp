@@ -5,8 +5,6 @@
 namespace sfw {
 namespace {
 
-constexpr int kToCm2 = 10'000;  // from m2
-
 /// Rooms at a façade.
 std::vector<RoomChoice> facadeRow() {
   return {{RoomKind::kOffice, 250, 400, 8, 99},

@@ -17,8 +17,6 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 /// A margin [cells]: requireFree rounds differently, and a free cell here must be free there too.
 constexpr double kRounding = 1e-6;
 
-Position toPosition(Cell c) { return {static_cast<double>(c.x), static_cast<double>(c.y)}; }
-
 }  // namespace
 
 double distanceToDrive(Cell c, Cell from, Cell to) {

@@ -11,6 +11,9 @@
 
 namespace sfw {
 
+/// A cell's centre [cells], counted from that of cell (0, 0).
+inline Position toPosition(Cell c) { return {static_cast<double>(c.x), static_cast<double>(c.y)}; }
+
 /// The distance from a cell's centre to a straight drive between two other cells [cells].
 double distanceToDrive(Cell c, Cell from, Cell to);
 

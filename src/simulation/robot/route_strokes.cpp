@@ -36,8 +36,6 @@ Mask cellsOf(const Components& components) {
   return cells;
 }
 
-Position toPosition(Cell c) { return {static_cast<double>(c.x), static_cast<double>(c.y)}; }
-
 /// The smallest box around cells, in any rotation [cells].
 struct TurnedBox {
   Position along;  // unit vector of its longer side
