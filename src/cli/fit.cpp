@@ -13,10 +13,10 @@
 #include "cli/floor_plan_files.h"
 #include "cli/parallel_for.h"
 #include "cli/progress.h"
+#include "cli/warnings.h"
 #include "files/atomic_file.h"
 #include "simulation/building/floor_plan_io.h"
 #include "structure_from_wifi/input_error.h"
-#include "structure_from_wifi/settings_io.h"
 #include "training/belief_training.h"
 #include "training/training_world.h"
 
@@ -118,7 +118,7 @@ void requireWritable(const std::string& file) {
 
 void run(const FitOptions& options) {
   requireWritable(options.output);
-  const Config config = options.config.empty() ? Config() : readConfig(options.config).config;
+  const Config config = configWithWarnings(options.config);
   std::vector<FloorPlan> plans;
   for (const std::string& file : floorPlanFiles(options.plans)) {
     plans.push_back(readFloorPlan(file));

@@ -12,7 +12,6 @@
 #include "ros/bags/bag_reader.h"
 #include "ros/conversion/input_messages.h"
 #include "ros/conversion/ros_settings.h"
-#include "structure_from_wifi/access_points_io.h"
 #include "structure_from_wifi/data_checks.h"
 #include "structure_from_wifi/input_error.h"
 #include "structure_from_wifi/map_files.h"
@@ -49,13 +48,10 @@ MappingSettings loadSettings(const MapOptions& options) {
 }
 
 Mapper mapperFor(const std::string& access_points, const Config& config) {
-  const AccessPointReading table = readAccessPoints(access_points);
-  for (const std::string& warning : table.warnings) {
-    warn(access_points + ": " + warning);
-  }
+  const std::vector<AccessPoint> table = accessPointsWithWarnings(access_points);
   configuredBeliefModel(config.belief);  // an error names its file, not the table
   try {
-    return Mapper(config, table.access_points);
+    return Mapper(config, table);
   } catch (const InputError& error) {
     throw InputError(access_points + ": " + error.what());
   }

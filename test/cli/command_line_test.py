@@ -81,6 +81,13 @@ class Help(CommandLine):
         self.assertIn("--controls is now called --ablations", run.stderr)
         self.assertIn("none.csv", run.stderr)
 
+    def test_fit_warns_of_old_settings(self):
+        config = self.write("old.yaml", "tomography: {bin: 0.3}\n")
+        run = self.sfw("fit", "--config", config, "--plan", self.folder / "none.json", "--output",
+                       self.output / "model.yaml")
+        self.assertIn("tomography/bin is now called tomography/bin_size", run.stderr)
+        self.assertIn("none.json", run.stderr)
+
 
 class Simulate(CommandLine):
     def test_takes_negative_and_several_positions_in_every_form(self):

@@ -12,11 +12,11 @@
 #include "cli/evaluate/metrics.h"
 #include "cli/parallel_for.h"
 #include "cli/progress.h"
+#include "cli/warnings.h"
 #include "evaluation/scoring_suite.h"
 #include "files/text.h"
 #include "simulation/building/floor_plan_io.h"
 #include "simulation/scenario.h"
-#include "structure_from_wifi/settings_io.h"
 
 namespace sfw {
 namespace {
@@ -46,7 +46,7 @@ SharedInputs sharedInputsOf(const BenchRun& run) {
   shared.methods = benchmarkMethods(run.suite.methods);
   shared.program = hashOfProgram();
   if (!run.config_file.empty()) {
-    shared.config = readConfig(run.config_file).config;
+    shared.config = configWithWarnings(run.config_file);
     shared.config_text = readFile(run.config_file);
   }
   return shared;

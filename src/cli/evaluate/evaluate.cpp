@@ -15,9 +15,7 @@
 #include "evaluation/evaluation.h"
 #include "files/atomic_file.h"
 #include "files/map_server.h"
-#include "structure_from_wifi/access_points_io.h"
 #include "structure_from_wifi/input_error.h"
-#include "structure_from_wifi/settings_io.h"
 
 namespace sfw {
 namespace {
@@ -71,16 +69,15 @@ nlohmann::json toJson(const AblationMetrics& ablations) {
 /// The metrics of the ablations, if --ablations is given. Each ablation maps the readings again.
 std::optional<AblationMetrics> ablationsFor(const EvaluateOptions& options,
                                             const EvaluationInput& input,
-                                            const std::vector<Reading>& readings) {
+                                            const std::vector<Reading>& readings,
+                                            const std::vector<AccessPoint>& access_points) {
   if (!options.ablations) {
     return std::nullopt;
   }
   if (options.access_points.empty()) {
     throw InputError("--ablations needs --access-points: it maps the readings again");
   }
-  const Config config = options.config.empty() ? Config() : readConfig(options.config).config;
-  return evaluateAblations(input, readings, readAccessPoints(options.access_points).access_points,
-                           config);
+  return evaluateAblations(input, readings, access_points, configWithWarnings(options.config));
 }
 
 nlohmann::json toJson(const PredictionMetrics& metrics) {
@@ -93,7 +90,8 @@ nlohmann::json toJson(const PredictionMetrics& metrics) {
 
 /// The errors of predicted signals, if --prediction is given.
 std::optional<PredictionMetrics> predictionFor(const EvaluateOptions& options,
-                                               const std::vector<Reading>& readings) {
+                                               const std::vector<Reading>& readings,
+                                               const std::vector<AccessPoint>& access_points) {
   if (!options.prediction) {
     return std::nullopt;
   }
@@ -101,8 +99,7 @@ std::optional<PredictionMetrics> predictionFor(const EvaluateOptions& options,
     throw InputError("--prediction needs --access-points: their positions predict the signals");
   }
   const std::atomic<bool> stop{false};
-  const auto metrics = predictHiddenStretches(
-      readings, readAccessPoints(options.access_points).access_points, {}, stop);
+  const auto metrics = predictHiddenStretches(readings, access_points, {}, stop);
   if (!metrics) {
     throw InputError(options.readings +
                      ": --prediction needs a longer drive, and all positions within a building; "
@@ -113,13 +110,14 @@ std::optional<PredictionMetrics> predictionFor(const EvaluateOptions& options,
 
 /// Positions of the access points in the readings. Only they have rays.
 std::vector<Position> accessPointsWithReadings(const EvaluateOptions& options,
-                                               const std::vector<Reading>& readings) {
+                                               const std::vector<Reading>& readings,
+                                               const std::vector<AccessPoint>& access_points) {
   std::set<Bssid> in_readings;
   for (const Reading& reading : readings) {
     in_readings.insert(reading.bssid);
   }
   std::vector<Position> positions;
-  for (const AccessPoint& access_point : readAccessPoints(options.access_points).access_points) {
+  for (const AccessPoint& access_point : access_points) {
     if (in_readings.count(access_point.bssid) != 0 && access_point.position_known) {
       positions.push_back(access_point.position);
     }
@@ -194,13 +192,17 @@ void run(const EvaluateOptions& options) {
   for (const Reading& reading : readings) {
     input.path.push_back(reading.antenna_in_map);
   }
+  std::vector<AccessPoint> access_points;
   if (!options.access_points.empty()) {
-    input.access_points = accessPointsWithReadings(options, readings);
+    access_points = accessPointsWithWarnings(options.access_points);
+    input.access_points = accessPointsWithReadings(options, readings, access_points);
   }
   const Evaluation evaluation = evaluate(input);
   const std::vector<ScoredMap> beside = scoreBeside(options, input);
-  const std::optional<AblationMetrics> ablations = ablationsFor(options, input, readings);
-  const std::optional<PredictionMetrics> prediction = predictionFor(options, readings);
+  const std::optional<AblationMetrics> ablations =
+      ablationsFor(options, input, readings, access_points);
+  const std::optional<PredictionMetrics> prediction =
+      predictionFor(options, readings, access_points);
   printMetrics(options, evaluation, beside, ablations, prediction);
   // Pictures come last, so that the metrics are printed even if a picture cannot be written.
   writePictures(options, input, evaluation, beside);

@@ -171,9 +171,13 @@ void MappingNodelet::warnOfLosses(const ObservationQueue::Outcome& outcome) {
                                "raise ros/max_waiting ("
                             << ros_settings_.max_waiting << "), or find out why tf is late");
   }
+  std::string rejected;  // one line, because each place in the code is throttled by itself
   for (const auto& [result, count] : mapper_->rejectionCounts()) {
-    NODELET_WARN_STREAM_THROTTLE(kWarningPeriod,
-                                 count << " readings rejected so far: " << toString(result));
+    rejected += (rejected.empty() ? "" : "; ") + std::to_string(count) +
+                " readings rejected so far: " + toString(result);
+  }
+  if (!rejected.empty()) {
+    NODELET_WARN_STREAM_THROTTLE(kWarningPeriod, rejected);
   }
 }
 
