@@ -69,9 +69,8 @@ class LaunchWorld : public testing::Test {
   /// Waits until no map has come for longer than the time between two updates.
   static void waitUntilQuiet() {
     world().last_map = ros::SteadyTime::now();  // what has come unseen counts as new
-    spinUntil(
-        [] { return (ros::SteadyTime::now() - world().last_map).toSec() > 1.6 * kSlowdown; },
-        60.0 * kSlowdown);
+    spinUntil([] { return (ros::SteadyTime::now() - world().last_map).toSec() > 1.6 * kSlowdown; },
+              60.0 * kSlowdown);
   }
 
   /// Drives along x = 1..7 m past a wall, faster than real time; false if nobody listens.
