@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
+#include <cctype>
 #include <fstream>
-#include <iterator>
-#include <regex>
+#include <string>
 
 #include "simulation/radio/noise_level.h"
 #include "structure_from_wifi/input_error.h"
@@ -22,9 +22,14 @@ YAML::Node complete() {
 /// The shipped file with the settings that it leaves to the noise level.
 YAML::Node shippedWithoutCommentSigns() {
   std::ifstream stream(SFW_SOURCE_DIR "/config/simulator.yaml");
-  const std::string text(std::istreambuf_iterator<char>(stream), {});
-  const std::regex setting("\\n# ((registration_\\w+|radio|  [a-z0-9_]+):)");
-  return YAML::Load(std::regex_replace(text, setting, "\n$1"));
+  std::string text;
+  for (std::string line; std::getline(stream, line);) {
+    const bool in_group = line.rfind("#   ", 0) == 0 && std::islower(line[4]) != 0;
+    const bool is_setting =
+        in_group || line.rfind("# registration_", 0) == 0 || line.rfind("# radio:", 0) == 0;
+    text += (is_setting ? line.substr(2) : line) + "\n";
+  }
+  return YAML::Load(text);
 }
 
 std::string problemsOf(const YAML::Node& tree) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <regex>
 
 #include "files/text.h"
 #include "structure_from_wifi/input_error.h"
@@ -122,13 +121,16 @@ TEST(NoiseLevel, ModerateIsKnownByItsOldName) {
 
 TEST(NoiseLevel, ShippedFilesNameEveryLevel) {
   // The levels as one list, since a word such as "low" also stands in other words.
-  std::string list;
-  for (const std::string& name : noiseLevelNames()) {
-    list += (list.empty() ? "" : "(, | or )") + name;
+  const std::vector<std::string> names = noiseLevelNames();
+  std::string list = names.front();
+  for (std::size_t i = 1; i + 1 < names.size(); ++i) {
+    list += ", " + names[i];
   }
   for (const char* file : {"/config/simulator.yaml", "/config/bench.yaml", "/launch/demo.launch"}) {
     const std::string text = readFile(std::string(SFW_SOURCE_DIR) + file);
-    EXPECT_TRUE(std::regex_search(text, std::regex(list))) << list << " in " << file;
+    EXPECT_TRUE(text.find(list + ", " + names.back()) != std::string::npos ||
+                text.find(list + " or " + names.back()) != std::string::npos)
+        << list << " in " << file;
   }
 }
 
