@@ -83,8 +83,8 @@ Eigen::MatrixXd denseOf(const SignalPrecision& precision, std::size_t count) {
 Eigen::VectorXd randomVector(std::size_t count) {
   Random random(5, 1, 0);
   Eigen::VectorXd values(static_cast<Eigen::Index>(count));
-  for (double& value : values) {
-    value = random.normal();
+  for (Eigen::Index i = 0; i < values.size(); ++i) {  // Eigen 3.3 has no begin()
+    values[i] = random.normal();
   }
   return values;
 }
