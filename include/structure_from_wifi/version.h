@@ -4,7 +4,7 @@
 
 namespace sfw {
 
-/// The version of this library, as package.xml has it: "0.1.0".
+/// The version of this library, as package.xml has it: "0.2.0".
 SFW_EXPORT const char* version();
 
 }  // namespace sfw
