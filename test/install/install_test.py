@@ -64,7 +64,7 @@ class Space:
         self.build("consumer")
         program = self.folder / "build/devel/lib/structure_from_wifi_consumer/consumer"
         # The program finds the library by its own path, without the space's environment.
-        self.assertRegex(run(program, self.folder / "map"), r"^%s: \d+ nodes" % VERSION)
+        self.assertRegex(run(program, self.folder / "map"), r"\b%s: \d+ nodes" % re.escape(VERSION))
         report = json.loads((self.folder / "map" / "report.json").read_text())
         self.assertEqual(report["version"], VERSION)
         self.assertIn(b"P5", (self.folder / "map" / "map.pgm").read_bytes()[:2])
