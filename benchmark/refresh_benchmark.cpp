@@ -20,7 +20,7 @@
 #include <string_view>
 #include <vector>
 
-#include "belief/fused_belief.h"
+#include "mapping/fused_belief.h"
 #include "office_floor.h"
 #include "radio/shadowing.h"
 #include "ros/conversion/markers.h"

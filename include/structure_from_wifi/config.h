@@ -57,6 +57,8 @@ struct Config {
     double free_threshold = 0.2;       ///< free below this probability of being occupied
     double occupied_threshold = 0.65;  ///< occupied above it
     std::string model;                 ///< file of `sfw fit` for tomography; empty: as shipped
+    std::string walls = "none";        ///< drawn between passes of the robot: "none" or "network"
+    std::string rim = "occupied";      ///< state of the free area's border: or "unknown"
   } belief;                            ///< settings belief/*
 
   /// Extrusion into OctoMap.
@@ -99,6 +101,8 @@ void forEachSetting(AnyConfig& config, Visitor&& visit) {
   visit("belief/free_threshold", config.belief.free_threshold);
   visit("belief/occupied_threshold", config.belief.occupied_threshold);
   visit("belief/model", config.belief.model);
+  visit("belief/walls", config.belief.walls);
+  visit("belief/rim", config.belief.rim);
   visit("octomap/wall_height", config.octomap.wall_height_m);
   visit("octomap/robot_height", config.octomap.robot_height_m);
 }

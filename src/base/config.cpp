@@ -58,6 +58,10 @@ void check(const Config::Belief& config, Problems& problems) {
   problems.require(!(config.free_threshold > config.occupied_threshold - kLeastApart + 1e-9),
                    "belief/free_threshold", config.free_threshold,
                    "at least 0.05 lower than belief/occupied_threshold");
+  problems.require(config.walls == "none" || config.walls == "network", "belief/walls",
+                   "'" + config.walls + "'", "'none' or 'network'");
+  problems.require(config.rim == "occupied" || config.rim == "unknown", "belief/rim",
+                   "'" + config.rim + "'", "'occupied' or 'unknown'");
 }
 
 void check(const Config::Octomap& config, Problems& problems) {

@@ -88,12 +88,12 @@ DriveFeatures extractDriveFeatures(const DriveData& drive, const Config& config,
   }
   const GridGeometry geometry = buildingGeometry(driven, access_points, config.map);
   Mask crossed = cellsCrossed(geometry, driven, config.path.max_gap_m);
-  const DrivenPath path{std::move(crossed), std::move(driven), config.path.max_gap_m,
-                        config.path.footprint_radius_m};
+  DrivenPath path{std::move(crossed), std::move(driven), config.path.max_gap_m,
+                  config.path.footprint_radius_m};
   WallField walls = estimateWalls(geometry, access_points, path.cells, path.robot_radius_m,
                                   wallFieldConfig(config.tomography), stop);
   CellFeatures cells = extractCellFeatures(path, access_points, walls, stop, limits);
-  return {frame, std::move(access_points), std::move(walls), std::move(cells)};
+  return {frame, std::move(access_points), std::move(walls), std::move(cells), std::move(path)};
 }
 
 }  // namespace sfw

@@ -32,6 +32,7 @@ struct DriveFeatures {
   std::vector<AccessPointBins> access_points;
   WallField walls;
   CellFeatures cells;
+  DrivenPath path;
 };
 
 /// Estimates the walls from the signals of a drive and extracts the features of all cells.

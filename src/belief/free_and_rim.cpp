@@ -73,9 +73,16 @@ void stampFootprintAndContacts(const Mask& path, const std::vector<Contact>& con
   stampContacts(contacts, occupied);
 }
 
-void labelFreeAndRim(const Mask& path, const Config::Belief& config, Grid<float>& occupied) {
+void labelFreeAndRim(const Mask& path, const Mask& walls, const Config::Belief& config,
+                     Grid<float>& occupied) {
   const auto free_below = static_cast<float>(config.free_threshold);
   const auto occupied_above = static_cast<float>(config.occupied_threshold);
+  const float least_occupied = std::min(occupied_above + kMargin, 1.0F);
+  for (std::size_t i = 0; i < walls.cells.size(); ++i) {
+    if (walls.cells[i] != 0) {
+      occupied.cells[i] = std::max(occupied.cells[i], least_occupied);
+    }
+  }
   Mask free(occupied.geometry);
   for (std::size_t i = 0; i < free.cells.size(); ++i) {
     free.cells[i] = occupied.cells[i] < free_below ? 1 : 0;
@@ -83,7 +90,8 @@ void labelFreeAndRim(const Mask& path, const Config::Belief& config, Grid<float>
   free = reachable(free, path);
   freeIslands(occupied, std::min(kIslandDoubt * free_below, kUnknownOccupancy), free);
   constexpr double kNeighbour = 1.5;  // cells: over edges and corners
-  const Mask rim = dilated(free, kNeighbour);
+  const bool rim_is_occupied = config.rim == "occupied";
+  const Mask rim = rim_is_occupied ? dilated(free, kNeighbour) : Mask(free.geometry);
   const float least = std::min(free_below + kMargin, 0.5F * (free_below + occupied_above));
   const float most = std::max(occupied_above - kMargin, least);
   for (std::size_t i = 0; i < free.cells.size(); ++i) {
@@ -95,8 +103,8 @@ void labelFreeAndRim(const Mask& path, const Config::Belief& config, Grid<float>
     if (p == kContactOccupancy || p == kUnknownOccupancy) {
       continue;
     }
-    p = rim.cells[i] != 0 ? std::max(p, std::min(occupied_above + kMargin, 1.0F))
-                          : std::clamp(p, least, most);
+    const bool is_occupied = rim.cells[i] != 0 || walls.cells[i] != 0;
+    p = is_occupied ? std::max(p, least_occupied) : std::clamp(p, least, most);
   }
 }
 

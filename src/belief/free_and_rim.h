@@ -22,12 +22,15 @@ void stampFootprintAndContacts(const Mask& path, const std::vector<Contact>& con
 /// Labels each cell as free, occupied or unknown by moving its probability across the thresholds.
 ///
 /// A cell is free if it is below belief/free_threshold and connected with the path over edges.
-/// Islands in the free area without a clear obstacle are free too. The rim, every cell next to a
-/// free one over an edge or a corner, becomes occupied. All other cells become unknown, because
-/// there is no evidence beyond the rim. Contacts and cells without evidence keep their values.
+/// Islands in the free area without a clear obstacle are free too. Walls become occupied. The rim,
+/// every cell next to a free one over an edge or a corner, takes the state that belief/rim names.
+/// All other cells become unknown, because there is no evidence beyond the rim. Contacts and cells
+/// without evidence keep their values.
 /// @param path      cells that the robot's antenna crossed, on the map's grid
+/// @param walls     cells of walls
 /// @param occupied  probabilities, changed in place
 /// Linear in cells.
-void labelFreeAndRim(const Mask& path, const Config::Belief& config, Grid<float>& occupied);
+void labelFreeAndRim(const Mask& path, const Mask& walls, const Config::Belief& config,
+                     Grid<float>& occupied);
 
 }  // namespace sfw

@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "belief/belief_model.h"
-#include "belief/fused_belief.h"
+#include "mapping/fused_belief.h"
 #include "mapping/map_method.h"
 
 namespace sfw {
@@ -51,7 +51,11 @@ TomographySummary summaryOf(FusedBelief&& fused) {
 class TomographyMethod : public MapMethod {
  public:
   explicit TomographyMethod(const Config& config)
-      : config_(config), model_(configuredBeliefModel(config.belief)) {}
+      : config_(config), model_(configuredBeliefModel(config.belief)) {
+    if (config.belief.walls == "network") {
+      network_ = shippedWallNetwork();
+    }
+  }
 
   MethodResult infer(const GridGeometry& geometry, const Inliers& inliers,
                      const std::vector<AccessPointSummary>& access_points, UseRadio use_radio,
@@ -67,7 +71,7 @@ class TomographyMethod : public MapMethod {
       }
     }
     FusedBelief fused =
-        inferOccupancyByTomography(geometry, drive, model_, config_, use_radio, stop);
+        inferOccupancyByTomography(geometry, drive, model_, network_, config_, use_radio, stop);
     MethodResult result{std::move(fused.occupied)};
     result.walls.resize(access_points.size());
     for (std::size_t i = 0; i < used.size(); ++i) {
@@ -80,6 +84,7 @@ class TomographyMethod : public MapMethod {
  private:
   Config config_;
   BeliefModel model_;
+  std::optional<WallNetwork> network_;  // finds walls between passes of the robot
 };
 
 }  // namespace

@@ -32,12 +32,13 @@ float probability(char c) {
 Grid<float> probabilities(const Rows& rows) { return gridFrom<float>(rows, 1.0, probability); }
 
 /// The map of some probabilities: '.' free, '#' occupied, '?' unknown.
-Rows labelled(const Rows& rows, const Cell& path_cell) {
+/// @param walls  as '#'; empty: none
+Rows labelled(const Rows& rows, const Cell& path_cell, const Rows& walls = {},
+              const Config::Belief& config = {}) {
   Grid<float> occupied = probabilities(rows);
   Mask path(occupied.geometry);
   path[path_cell] = 1;
-  const Config::Belief config;
-  labelFreeAndRim(path, config, occupied);
+  labelFreeAndRim(path, walls.empty() ? Mask(occupied.geometry) : mask(walls), config, occupied);
   return rowsOf(occupied, [&](float p) {
     return static_cast<double>(p) < config.free_threshold       ? '.'
            : static_cast<double>(p) > config.occupied_threshold ? '#'
@@ -142,13 +143,45 @@ TEST(FreeAndRim, KeepsContactsAndCellsWithoutEvidence) {
                   "???????"}));
 }
 
+TEST(FreeAndRim, WallsAreOccupiedAndCloseTheWay) {
+  EXPECT_EQ(labelled({".......",  //
+                      ".......",  //
+                      "......."},
+                     {0, 1},
+                     {"...#...",  //
+                      "...#...",  //
+                      "...#..."}),
+            (Rows{"...#???",  //
+                  "...#???",  //
+                  "...#???"}));
+}
+
+TEST(FreeAndRim, TheRimMayStayUnknown) {
+  Config::Belief config;
+  config.rim = "unknown";
+  EXPECT_EQ(labelled({"wwwwwww",  //
+                      "w.....w",  //
+                      "w.....w",  //
+                      "wwwwwww"},
+                     {1, 1},
+                     {".......",  //
+                      ".....#.",  //
+                      ".....#.",  //
+                      "......."},
+                     config),
+            (Rows{"???????",  //
+                  "?....#?",  //
+                  "?....#?",  //
+                  "???????"}));
+}
+
 TEST(FreeAndRim, KeepsProbabilitiesAwayFromTheThresholds) {
   // Free below 0.2, occupied above 0.65.
   Grid<float> occupied(GridGeometry(1.0, {0.0, 0.0}, 7, 1));
   occupied.cells = {0.01F, 0.199F, 0.21F, 0.9F, 0.21F, 0.64F, 0.4F};
   Mask path(occupied.geometry);
   path.cells[0] = 1;
-  labelFreeAndRim(path, Config::Belief(), occupied);
+  labelFreeAndRim(path, Mask(occupied.geometry), Config::Belief(), occupied);
   expectTable(occupied, {{0.01, 0.185, 0.67, 0.63, 0.22, 0.63, 0.4}});
 }
 
@@ -157,7 +190,7 @@ TEST(FreeAndRim, KeepsALikelyRimAsItIs) {
   occupied.cells = {0.01F, 0.9F, 0.4F};
   Mask path(occupied.geometry);
   path.cells[0] = 1;
-  labelFreeAndRim(path, Config::Belief(), occupied);
+  labelFreeAndRim(path, Mask(occupied.geometry), Config::Belief(), occupied);
   expectTable(occupied, {{0.01, 0.9, 0.4}});
 }
 

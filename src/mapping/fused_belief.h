@@ -1,12 +1,14 @@
 #pragma once
 
 #include <atomic>
+#include <optional>
 #include <vector>
 
 #include "base/use_radio.h"
 #include "belief/belief_model.h"
 #include "belief/drive_features.h"
 #include "structure_from_wifi/config.h"
+#include "walls/wall_network.h"
 
 namespace sfw {
 
@@ -29,11 +31,14 @@ struct FusedBelief {
 /// belief/occupied_threshold are the rim of those, or contacts. All other cells with evidence lie
 /// in between, because the data do not show whether a wall stands there.
 /// @param geometry   of the map
+/// @param network    finds walls between passes of the robot; no such walls without it
 /// @param use_radio  kNo: the ablation without signal strength
 /// @param stop       polled; when it turns true the result is incomplete
 /// @throw as extractDriveFeatures
 FusedBelief inferOccupancyByTomography(const GridGeometry& geometry, const DriveData& drive,
-                                       const BeliefModel& model, const Config& config,
-                                       UseRadio use_radio, const std::atomic<bool>& stop);
+                                       const BeliefModel& model,
+                                       const std::optional<WallNetwork>& network,
+                                       const Config& config, UseRadio use_radio,
+                                       const std::atomic<bool>& stop);
 
 }  // namespace sfw

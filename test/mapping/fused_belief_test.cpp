@@ -1,4 +1,4 @@
-#include "belief/fused_belief.h"
+#include "mapping/fused_belief.h"
 
 #include <gtest/gtest.h>
 
@@ -74,6 +74,16 @@ TEST(Tomography, HearsNothingInSignalsAtWrongPlaces) {
   const double heard = *judged(world, *mapOf(world)).map.radio->auc_off_path;
   world.readings = withShiftedRadio(world.readings, 4);
   EXPECT_LT(*judged(world, *mapOf(world)).map.radio->auc_off_path, heard - 0.1);
+}
+
+TEST(Tomography, ANetworkClosesWallsThatCellsLeaveOpen) {
+  const World world = flat(noiseLevel("moderate"), 11);
+  const Evaluation cells = judged(world, *mapOf(world));
+  Config config;
+  config.belief.walls = "network";
+  const Evaluation walls = judged(world, *mapOf(world, config));
+  EXPECT_LT(*walls.map.walls_called_free, 0.8 * *cells.map.walls_called_free);
+  EXPECT_GT(walls.map.free.precision, cells.map.free.precision - 0.005);
 }
 
 TEST(Tomography, DoesNotDependOnTheOrderOfReadings) {

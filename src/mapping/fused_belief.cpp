@@ -1,10 +1,13 @@
-#include "belief/fused_belief.h"
+#include "mapping/fused_belief.h"
 
 #include <cmath>
 
 #include "belief/free_and_rim.h"
 #include "belief/free_probability.h"
+#include "grid/distance_transform.h"
 #include "grid/robot_evidence.h"
+#include "walls/network_inputs.h"
+#include "walls/network_walls.h"
 
 namespace sfw {
 namespace {
@@ -54,6 +57,25 @@ Grid<float> occupancyOnMap(const GridGeometry& geometry, const Grid<float>& free
   return occupied;
 }
 
+/// The cells of walls on the grid of a map. The robot's footprint stays free of them.
+Mask wallsOnMap(const GridGeometry& geometry, const NetworkWalls& found, const BuildingFrame& frame,
+                const Mask& path, double footprint_radius_m) {
+  Mask in_building(found.density.geometry);
+  for (const StripWall& wall : found.walls) {
+    for (const Cell c : wall.cells) {
+      in_building[c] = 1;
+    }
+  }
+  const Grid<double> distance = distanceTransform(path);
+  Mask walls(geometry);
+  for (std::size_t i = 0; i < walls.cells.size(); ++i) {
+    const Cell c = in_building.geometry.cellAt(frame.toBuilding(geometry.centre(geometry.cell(i))));
+    const bool covered = distance.cells[i] * geometry.resolution() <= footprint_radius_m;
+    walls.cells[i] = !covered && in_building.geometry.contains(c) ? in_building[c] : 0;
+  }
+  return walls;
+}
+
 std::vector<std::vector<double>> sampleLosses(const DriveData& drive,
                                               const DriveFeatures& features) {
   std::vector<std::vector<double>> losses_db;
@@ -70,15 +92,21 @@ std::vector<std::vector<double>> sampleLosses(const DriveData& drive,
 }  // namespace
 
 FusedBelief inferOccupancyByTomography(const GridGeometry& geometry, const DriveData& drive,
-                                       const BeliefModel& model, const Config& config,
-                                       UseRadio use_radio, const std::atomic<bool>& stop) {
+                                       const BeliefModel& model,
+                                       const std::optional<WallNetwork>& network,
+                                       const Config& config, UseRadio use_radio,
+                                       const std::atomic<bool>& stop) {
   FusedBelief belief{
       Grid<float>(geometry, kUnknownOccupancy), Grid<float>(geometry), {}, 0.0, {}, {}};
   belief.sample_loss_db.resize(drive.access_points.size());
   if (drive.path.empty()) {
     return belief;
   }
-  const DriveFeatures features = extractDriveFeatures(drive, config, stop, kTrustedVariance);
+  Config building = config;
+  if (network) {
+    building.map.resolution_m = kNetworkCellM;
+  }
+  const DriveFeatures features = extractDriveFeatures(drive, building, stop, kTrustedVariance);
   if (stop) {
     return belief;
   }
@@ -91,7 +119,13 @@ FusedBelief inferOccupancyByTomography(const GridGeometry& geometry, const Drive
   belief.sample_loss_db = sampleLosses(drive, features);
   const Mask path = cellsCrossed(geometry, drive.path, config.path.max_gap_m);
   stampFootprintAndContacts(path, drive.contacts, config.path.footprint_radius_m, belief.occupied);
-  labelFreeAndRim(path, config.belief, belief.occupied);
+  Mask walls(geometry);
+  if (network) {
+    const NetworkWalls found = findWallsByNetwork(features, model, belief.style, use_radio, free,
+                                                  1.0 - config.belief.free_threshold, *network);
+    walls = wallsOnMap(geometry, found, features.frame, path, config.path.footprint_radius_m);
+  }
+  labelFreeAndRim(path, walls, config.belief, belief.occupied);
   return belief;
 }
 

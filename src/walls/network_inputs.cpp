@@ -1,0 +1,258 @@
+#include "walls/network_inputs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <string>
+#include <string_view>
+
+#include "base/log_odds.h"
+#include "grid/axis_rasters.h"
+#include "grid/distance_transform.h"
+#include "walls/wall_rasters.h"
+
+namespace sfw {
+namespace {
+
+constexpr float kFarthestM = 3.0F;  // of distances along axes, and the widest strip
+
+/// The place of a feature in the vectors of the belief model.
+constexpr std::size_t featureIndex(std::string_view name) {
+  for (std::size_t i = 0; i < kCellFeatures; ++i) {
+    if (name == kCellFeatureTable[i].name) {
+      return i;
+    }
+  }
+  return kCellFeatures;
+}
+
+/// All evidence in one cell.
+struct CellEvidence {
+  FeatureVector features{};
+  float loss_along_x_db = 0.0F;  ///< of walls along x, mean over the members
+  float loss_along_y_db = 0.0F;
+  float spread_along_x_db = 0.0F;
+  float spread_along_y_db = 0.0F;
+  float strip_along_x_db = 0.0F;  ///< loss of walls along x in the strip through the cell
+  float strip_along_y_db = 0.0F;
+  float in_strip_along_x = 0.0F;  ///< 1 in a strip between passes below and above
+  float in_strip_along_y = 0.0F;  ///< 1 in a strip between passes to the left and right
+  float rays_along_x = 0.0F;
+  float rays_along_y = 0.0F;
+  float heading_along_x = 0.0F;
+  float heading_along_y = 0.0F;
+  float on_path = 0.0F;
+  std::array<float, 4> axis_distances_m{};  ///< to the left, right, below and above
+  float log_odds_single = 0.0F;             ///< of free space, without radio
+  float log_odds_straightened = 0.0F;
+  float radio_log_odds_single = 0.0F;  ///< what radio adds to these
+  float radio_log_odds_straightened = 0.0F;
+  float explained_variance = 0.0F;
+  float access_points = 0.0F;  ///< number of those with readings
+};
+
+struct NetworkInput {
+  const char* name;
+  bool uses_radio;
+  float (*value)(const CellEvidence& cell);
+};
+
+template <std::size_t kFeature>
+float feature(const CellEvidence& cell) {
+  static_assert(kFeature < kCellFeatures, "the belief model has no such feature");
+  return cell.features[kFeature];
+}
+
+float saturating(float value, float scale) { return 1.0F - std::exp(-value / scale); }
+
+float logarithmic(float count) { return std::log2(1.0F + count) / 6.0F; }
+
+/// Log odds of order one.
+float scaled(float log_odds) { return 0.3F * log_odds; }
+
+/// Each input is of order one.
+constexpr NetworkInput kInputs[] = {
+    {"path_close", false, feature<featureIndex("path_close")>},
+    {"path_distance", false,
+     [](const CellEvidence& c) { return 0.5F * c.features[featureIndex("path_distance")]; }},
+    {"path_near", false, feature<featureIndex("path_near")>},
+    {"depth_disc_0.6", false, feature<featureIndex("depth_disc_0.6")>},
+    {"depth_disc_1.2", false, feature<featureIndex("depth_disc_1.2")>},
+    {"depth_disc_2.4", false, feature<featureIndex("depth_disc_2.4")>},
+    {"depth_square_0.6", false, feature<featureIndex("depth_square_0.6")>},
+    {"depth_square_1.2", false, feature<featureIndex("depth_square_1.2")>},
+    {"depth_square_2.4", false, feature<featureIndex("depth_square_2.4")>},
+    {"rays", false, feature<featureIndex("rays")>},
+    {"access_points", false, feature<featureIndex("access_points")>},
+    {"access_point_near", false, feature<featureIndex("access_point_near")>},
+    {"coverage_0.6", false, feature<featureIndex("coverage_0.6")>},
+    {"coverage_1.5", false, feature<featureIndex("coverage_1.5")>},
+    {"source_alignment", false, feature<featureIndex("source_alignment")>},
+    {"footprint_left", false,
+     [](const CellEvidence& c) { return c.axis_distances_m[0] / kFarthestM; }},
+    {"footprint_right", false,
+     [](const CellEvidence& c) { return c.axis_distances_m[1] / kFarthestM; }},
+    {"footprint_below", false,
+     [](const CellEvidence& c) { return c.axis_distances_m[2] / kFarthestM; }},
+    {"footprint_above", false,
+     [](const CellEvidence& c) { return c.axis_distances_m[3] / kFarthestM; }},
+    {"heading_along_x", false, [](const CellEvidence& c) { return c.heading_along_x; }},
+    {"heading_along_y", false, [](const CellEvidence& c) { return c.heading_along_y; }},
+    {"on_path", false, [](const CellEvidence& c) { return c.on_path; }},
+    {"rays_along_x", false, [](const CellEvidence& c) { return logarithmic(c.rays_along_x); }},
+    {"rays_along_y", false, [](const CellEvidence& c) { return logarithmic(c.rays_along_y); }},
+    {"in_strip_along_y", false, [](const CellEvidence& c) { return c.in_strip_along_y; }},
+    {"in_strip_along_x", false, [](const CellEvidence& c) { return c.in_strip_along_x; }},
+    {"described", false, [](const CellEvidence&) { return 1.0F; }},
+    {"log_odds_single", false, [](const CellEvidence& c) { return scaled(c.log_odds_single); }},
+    {"log_odds_straightened", false,
+     [](const CellEvidence& c) { return scaled(c.log_odds_straightened); }},
+    {"line_of_sight", true, feature<featureIndex("line_of_sight")>},
+    {"wall_strength", true, feature<featureIndex("wall_strength")>},
+    {"wall_beside", true,
+     [](const CellEvidence& c) { return 2.0F * c.features[featureIndex("wall_beside")]; }},
+    {"way_around", true, feature<featureIndex("way_around")>},
+    {"loss_along_y", true,
+     [](const CellEvidence& c) { return saturating(c.loss_along_y_db, 1.0F); }},
+    {"loss_along_x", true,
+     [](const CellEvidence& c) { return saturating(c.loss_along_x_db, 1.0F); }},
+    {"spread_along_y", true,
+     [](const CellEvidence& c) { return saturating(c.spread_along_y_db, 2.0F); }},
+    {"spread_along_x", true,
+     [](const CellEvidence& c) { return saturating(c.spread_along_x_db, 2.0F); }},
+    {"strip_along_y", true,
+     [](const CellEvidence& c) { return saturating(c.strip_along_y_db, 4.0F); }},
+    {"strip_along_x", true,
+     [](const CellEvidence& c) { return saturating(c.strip_along_x_db, 4.0F); }},
+    {"radio_log_odds_single", true,
+     [](const CellEvidence& c) { return scaled(c.radio_log_odds_single); }},
+    {"radio_log_odds_straightened", true,
+     [](const CellEvidence& c) { return scaled(c.radio_log_odds_straightened); }},
+    {"explained_variance", true,
+     [](const CellEvidence& c) {
+       return 3.0F * (std::clamp(c.explained_variance, 0.2F, 0.95F) - 0.5F);
+     }},
+    {"access_point_count", true,
+     [](const CellEvidence& c) { return std::log2(std::max(c.access_points, 1.0F)) / 4.0F; }},
+    {"radio_used", true, [](const CellEvidence&) { return 1.0F; }},
+};
+
+float limitedLogOdds(float probability) {
+  constexpr double kLeast = 1e-3;
+  return static_cast<float>(
+      logit(std::clamp(static_cast<double>(probability), kLeast, 1.0 - kLeast)));
+}
+
+/// Computes rasters over the whole grid first, and then the evidence of single cells.
+class Evidence {
+ public:
+  Evidence(const DriveFeatures& features, const DrivenPath& path,
+           const ModelProbabilities& with_radio, const ModelProbabilities& without_radio)
+      : features_(features),
+        path_(path),
+        with_radio_(with_radio),
+        without_radio_(without_radio),
+        geometry_(features.cells.geometry),
+        loss_(directedLoss(features.walls, geometry_)),
+        rays_(rayDirections(geometry_, features.access_points)),
+        headings_(headings(path)),
+        footprint_(geometry_) {
+    const Grid<double> distance = distanceTransform(path.cells);
+    for (std::size_t i = 0; i < footprint_.cells.size(); ++i) {
+      footprint_.cells[i] =
+          distance.cells[i] * geometry_.resolution() <= path.robot_radius_m ? 1 : 0;
+    }
+    axis_distances_ = axisDistances(footprint_, kFarthestM);
+    strips_along_y_ = strips(loss_.mean.along_y, true);
+    strips_along_x_ = strips(loss_.mean.along_x, false);
+  }
+
+  /// The evidence in one of the described cells.
+  /// @param number  of the cell among these
+  CellEvidence of(std::size_t number) const {
+    const std::size_t i = features_.cells.cells[number];
+    CellEvidence cell;
+    cell.features = features_.cells.values[number];
+    cell.loss_along_x_db = loss_.mean.along_x.cells[i];
+    cell.loss_along_y_db = loss_.mean.along_y.cells[i];
+    cell.spread_along_x_db = loss_.spread.along_x.cells[i];
+    cell.spread_along_y_db = loss_.spread.along_y.cells[i];
+    cell.strip_along_x_db = strips_along_x_.sum.cells[i];
+    cell.strip_along_y_db = strips_along_y_.sum.cells[i];
+    cell.in_strip_along_x = static_cast<float>(strips_along_x_.in_strip.cells[i]);
+    cell.in_strip_along_y = static_cast<float>(strips_along_y_.in_strip.cells[i]);
+    cell.rays_along_x = rays_.along_x.cells[i];
+    cell.rays_along_y = rays_.along_y.cells[i];
+    cell.heading_along_x = headings_.along_x.cells[i];
+    cell.heading_along_y = headings_.along_y.cells[i];
+    cell.on_path = static_cast<float>(path_.cells.cells[i]);
+    for (std::size_t side = 0; side < cell.axis_distances_m.size(); ++side) {
+      cell.axis_distances_m[side] = axis_distances_[side].cells[i];
+    }
+    cell.log_odds_single = limitedLogOdds(without_radio_.single.cells[i]);
+    cell.log_odds_straightened = limitedLogOdds(without_radio_.straightened.cells[i]);
+    cell.radio_log_odds_single = limitedLogOdds(with_radio_.single.cells[i]) - cell.log_odds_single;
+    cell.radio_log_odds_straightened =
+        limitedLogOdds(with_radio_.straightened.cells[i]) - cell.log_odds_straightened;
+    cell.explained_variance = static_cast<float>(features_.cells.explained_variance);
+    cell.access_points = static_cast<float>(features_.access_points.size());
+    return cell;
+  }
+
+ private:
+  StripSums strips(const Grid<float>& loss, bool along_rows) const {
+    Grid<float> per_cell(geometry_);  // a lattice's cell is two of these wide
+    for (const std::size_t i : features_.cells.cells) {
+      per_cell.cells[i] = 0.5F * loss.cells[i];
+    }
+    const std::int64_t widest = std::lround(kFarthestM / geometry_.resolution());
+    const std::int64_t reach = std::lround(0.3 / geometry_.resolution());
+    return stripSums(footprint_, per_cell, along_rows, widest, reach);
+  }
+
+  const DriveFeatures& features_;
+  const DrivenPath& path_;
+  const ModelProbabilities& with_radio_;
+  const ModelProbabilities& without_radio_;
+  const GridGeometry& geometry_;
+  DirectedLoss loss_;
+  DirectedRasters rays_, headings_;
+  Mask footprint_;
+  std::array<Grid<float>, 4> axis_distances_{Grid<float>(geometry_), Grid<float>(geometry_),
+                                             Grid<float>(geometry_), Grid<float>(geometry_)};
+  StripSums strips_along_x_{Grid<float>(geometry_), Mask(geometry_)};
+  StripSums strips_along_y_{Grid<float>(geometry_), Mask(geometry_)};
+};
+
+}  // namespace
+
+Channels networkInputs(const DriveFeatures& features, const DrivenPath& path,
+                       const ModelProbabilities& with_radio,
+                       const ModelProbabilities& without_radio, UseRadio use_radio) {
+  const GridGeometry& geometry = features.cells.geometry;
+  const Evidence evidence(features, path, with_radio, without_radio);
+  Channels channels(std::size(kInputs), static_cast<std::size_t>(geometry.height()),
+                    static_cast<std::size_t>(geometry.width()));
+  for (std::size_t number = 0; number < features.cells.cells.size(); ++number) {
+    const CellEvidence cell = evidence.of(number);
+    float* to = channels.values().data() + features.cells.cells[number];
+    for (const NetworkInput& input : kInputs) {
+      if (use_radio == UseRadio::kYes || !input.uses_radio) {
+        *to = input.value(cell);
+      }
+      to += geometry.size();
+    }
+  }
+  return channels;
+}
+
+std::vector<std::string> networkInputNames() {
+  std::vector<std::string> names;
+  for (const NetworkInput& input : kInputs) {
+    names.emplace_back(input.name);
+  }
+  return names;
+}
+
+}  // namespace sfw

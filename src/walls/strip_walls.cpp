@@ -1,0 +1,224 @@
+#include "walls/strip_walls.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+#include "grid/axis_rasters.h"
+#include "grid/morphology.h"
+#include "walls/grid_lines.h"
+#include "walls/wall_rasters.h"
+
+namespace sfw {
+namespace {
+
+/// Evidence counts together over this length along a wall, to both sides [m].
+constexpr double kSumReachM = 0.2;
+constexpr double kPlaceReachM = 0.3;
+
+/// A wall may move sideways by this many cells from line to line, and pays for each in log odds.
+constexpr std::int64_t kLargestJump = 3;
+constexpr float kJumpPenalty = 1.0F;
+
+/// Keeps the logarithm of a density finite.
+constexpr float kLeastDensity = 1e-3F;
+
+/// The places of a wall on successive lines.
+struct Trace {
+  std::int64_t first_line = 0;
+  std::vector<std::int64_t> places;
+};
+
+/// Searches the strips along the rows of a grid, or along its columns.
+class StripSearch {
+ public:
+  StripSearch(const Mask& footprint, const Grid<float>& density, const StripWallConfig& config,
+              bool rows)
+      : config_(config),
+        resolution_(footprint.geometry.resolution()),
+        lines_(footprint.geometry, rows),
+        footprint_(footprint),
+        strips_(stripSums(footprint, density, rows, inCells(config.widest_m), inCells(kSumReachM))),
+        place_(rows ? columnMean(density, inCells(kPlaceReachM))
+                    : rowMean(density, inCells(kPlaceReachM))) {}
+
+  std::vector<StripWall> find() const {
+    const Components parts = labelComponents(candidates());
+    std::vector<std::pair<std::int64_t, std::int64_t>> extents(
+        static_cast<std::size_t>(parts.count) + 1, {std::numeric_limits<std::int64_t>::max(), -1});
+    for (std::int64_t line = 0; line < lines_.count(); ++line) {
+      for (std::int64_t at = 0; at < lines_.length(); ++at) {
+        auto& [first, last] = extents[static_cast<std::size_t>(parts.label[lines_.cell(line, at)])];
+        first = std::min(first, line);
+        last = std::max(last, line);
+      }
+    }
+    std::vector<StripWall> walls;
+    for (std::int64_t part = 1; part <= parts.count; ++part) {
+      const auto [first, last] = extents[static_cast<std::size_t>(part)];
+      if (last - first + 1 >= inCells(config_.shortest_m)) {
+        walls.push_back(toWall(likeliest(parts, part, first, last), parts, part));
+      }
+    }
+    return walls;
+  }
+
+  /// Lets both ends of a wall grow straight on, each if it meets a barrier in time.
+  void extend(const Mask& free, const Mask& walls, StripWall& wall) const {
+    const Cell forward = lines_.cell(1, 0);
+    std::vector<Cell> before = extension(wall.cells.front(), {-forward.x, -forward.y}, free, walls);
+    const std::vector<Cell> after = extension(wall.cells.back(), forward, free, walls);
+    std::reverse(before.begin(), before.end());
+    wall.cells.insert(wall.cells.begin(), before.begin(), before.end());
+    wall.cells.insert(wall.cells.end(), after.begin(), after.end());
+  }
+
+ private:
+  std::int64_t inCells(double metres) const { return std::lround(metres / resolution_); }
+
+  /// Cells of the strips with enough expected walls. The median of a strip decides, because its
+  /// cells have different neighbours along the wall.
+  Mask candidates() const {
+    Mask result(footprint_.geometry);
+    std::vector<float> sums;
+    for (std::int64_t line = 0; line < lines_.count(); ++line) {
+      for (std::int64_t at = 0; at < lines_.length(); ++at) {
+        std::int64_t end = at;
+        sums.clear();
+        for (; end < lines_.length() && strips_.in_strip[lines_.cell(line, end)] != 0; ++end) {
+          sums.push_back(strips_.sum[lines_.cell(line, end)]);
+        }
+        if (sums.empty()) {
+          continue;
+        }
+        const auto middle = sums.begin() + static_cast<std::ptrdiff_t>(sums.size() / 2);
+        std::nth_element(sums.begin(), middle, sums.end());
+        for (; *middle > config_.least_expected && at < end; ++at) {
+          result[lines_.cell(line, at)] = 1;
+        }
+        at = end;
+      }
+    }
+    return result;
+  }
+
+  /// The likeliest trace of a wall through all lines of a part (Viterbi's algorithm).
+  Trace likeliest(const Components& parts, std::int64_t part, std::int64_t first,
+                  std::int64_t last) const {
+    const auto length = static_cast<std::size_t>(lines_.length());
+    constexpr float kOutside = -1e3F;  // costs more than any way inside
+    const auto score = [&](std::int64_t line, std::size_t at) {
+      const Cell c = lines_.cell(line, static_cast<std::int64_t>(at));
+      return parts.label[c] == part ? std::log(place_[c] + kLeastDensity) : kOutside;
+    };
+    std::vector<float> best(length);
+    std::vector<std::vector<std::int8_t>> jumps;
+    for (std::int64_t line = first; line <= last; ++line) {
+      std::vector<float> next(length);
+      std::vector<std::int8_t> jump(length, 0);
+      for (std::size_t at = 0; at < length; ++at) {
+        next[at] = score(line, at) + (line == first ? 0.0F : bestBefore(best, at, jump[at]));
+      }
+      best = std::move(next);
+      jumps.push_back(std::move(jump));
+    }
+    Trace trace{first, {}};
+    std::int64_t at = std::max_element(best.begin(), best.end()) - best.begin();
+    for (auto jump = jumps.rbegin(); jump != jumps.rend(); ++jump) {
+      trace.places.push_back(at);
+      at -= (*jump)[static_cast<std::size_t>(at)];
+    }
+    std::reverse(trace.places.begin(), trace.places.end());
+    return trace;
+  }
+
+  /// The score of the best trace that reaches a place from the line before, with its jump.
+  static float bestBefore(const std::vector<float>& before, std::size_t at, std::int8_t& jump) {
+    float best = -std::numeric_limits<float>::infinity();
+    for (std::int64_t step = -kLargestJump; step <= kLargestJump; ++step) {
+      const std::int64_t from = static_cast<std::int64_t>(at) - step;
+      if (from < 0 || from >= static_cast<std::int64_t>(before.size())) {
+        continue;
+      }
+      const float score = before[static_cast<std::size_t>(from)] -
+                          kJumpPenalty * static_cast<float>(std::abs(step));
+      if (score > best) {
+        best = score;
+        jump = static_cast<std::int8_t>(step);
+      }
+    }
+    return best;
+  }
+
+  /// The cells of a trace in its part of the strips, jumps included.
+  StripWall toWall(const Trace& trace, const Components& parts, std::int64_t part) const {
+    StripWall wall;
+    std::int64_t last = trace.places.front();
+    for (std::size_t i = 0; i < trace.places.size(); ++i) {
+      const std::int64_t line = trace.first_line + static_cast<std::int64_t>(i);
+      const std::int64_t place = trace.places[i];
+      const std::int64_t step = place < last ? -1 : 1;
+      for (std::int64_t at = last; at != place + step; at += step) {
+        const Cell c = lines_.cell(line, at);
+        if (parts.label[c] == part) {
+          wall.cells.push_back(c);
+        }
+      }
+      wall.expected += strips_.sum[lines_.cell(line, place)];
+      last = place;
+    }
+    wall.expected /= static_cast<double>(trace.places.size());
+    return wall;
+  }
+
+  /// The free cells from the end of a wall to the next barrier; none if it is too far, or if the
+  /// robot went through.
+  std::vector<Cell> extension(Cell end, Cell step, const Mask& free, const Mask& walls) const {
+    std::vector<Cell> cells;
+    for (std::int64_t i = 0; i < inCells(config_.extension_m); ++i) {
+      end = {end.x + step.x, end.y + step.y};
+      if (!free.geometry.contains(end) || free[end] == 0 || walls[end] != 0) {
+        return cells;
+      }
+      if (footprint_[end] != 0) {
+        break;
+      }
+      cells.push_back(end);
+    }
+    return {};
+  }
+
+  const StripWallConfig& config_;
+  double resolution_;
+  GridLines lines_;
+  const Mask& footprint_;
+  StripSums strips_;
+  Grid<float> place_;  // density, smoothed along walls
+};
+
+}  // namespace
+
+std::vector<StripWall> findStripWalls(const Mask& footprint, const Grid<float>& density,
+                                      const Mask& free, const StripWallConfig& config) {
+  const StripSearch across_rows(footprint, density, config, true);
+  const StripSearch across_columns(footprint, density, config, false);
+  std::vector<StripWall> walls = across_rows.find();
+  const std::size_t along_y = walls.size();
+  for (StripWall& wall : across_columns.find()) {
+    walls.push_back(std::move(wall));
+  }
+  Mask occupied(footprint.geometry);
+  for (const StripWall& wall : walls) {
+    for (const Cell c : wall.cells) {
+      occupied[c] = 1;
+    }
+  }
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    (i < along_y ? across_rows : across_columns).extend(free, occupied, walls[i]);
+  }
+  return walls;
+}
+
+}  // namespace sfw

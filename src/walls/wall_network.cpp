@@ -1,0 +1,111 @@
+#include "walls/wall_network.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <utility>
+
+#include "structure_from_wifi/input_error.h"
+
+namespace sfw {
+namespace {
+
+constexpr std::size_t kLevels = 3;                // below the finest one
+constexpr std::size_t kMultiple = 1U << kLevels;  // of the rasters' sizes
+
+std::size_t roundedUp(std::size_t size) { return (size + kMultiple - 1) / kMultiple * kMultiple; }
+
+/// Copies the cells that two rasters share; other cells of the target keep their values.
+void copyShared(const Channels& from, Channels& to) {
+  const std::size_t height = std::min(from.height(), to.height());
+  const std::size_t width = std::min(from.width(), to.width());
+  for (std::size_t c = 0; c < from.count(); ++c) {
+    for (std::size_t y = 0; y < height; ++y) {
+      std::copy_n(from.row(c, y), width, to.row(c, y));
+    }
+  }
+}
+
+void requireFit(const Convolution& layer, std::size_t inputs) {
+  const std::size_t kernel = layer.edge * layer.edge;
+  if (layer.inputs != inputs || (layer.edge != 1 && layer.edge != 3) ||
+      layer.weights.size() != layer.inputs * layer.outputs * kernel ||
+      layer.bias.size() != layer.outputs || layer.outputs == 0) {
+    throw std::invalid_argument("the layers of the network do not fit each other");
+  }
+}
+
+Convolution toConvolution(const nlohmann::json& layer) {
+  Convolution convolution;
+  convolution.edge = layer.at("edge").get<std::size_t>();
+  convolution.weights = layer.at("weights").get<std::vector<float>>();
+  convolution.bias = layer.at("bias").get<std::vector<float>>();
+  convolution.outputs = convolution.bias.size();
+  const std::size_t per_input = convolution.outputs * convolution.edge * convolution.edge;
+  convolution.inputs = per_input == 0 ? 0 : convolution.weights.size() / per_input;
+  return convolution;
+}
+
+}  // namespace
+
+WallNetwork::WallNetwork(std::vector<std::string> inputs, std::array<Convolution, kLayers> layers)
+    : inputs_(std::move(inputs)), layers_(std::move(layers)) {
+  const auto outputs = [&](Layer layer) { return layers_[layer].outputs; };
+  requireFit(layers_[kFine0], inputs_.size());
+  for (const Layer layer :
+       {kFine1, kMiddle0, kMiddle1, kCoarse0, kCoarse1, kCoarsest0, kCoarsest1}) {
+    requireFit(layers_[layer], layers_[layer - 1].outputs);
+  }
+  requireFit(layers_[kUpCoarse], outputs(kCoarsest1) + outputs(kCoarse1));
+  requireFit(layers_[kUpMiddle], outputs(kUpCoarse) + outputs(kMiddle1));
+  requireFit(layers_[kUpFine], outputs(kUpMiddle) + outputs(kFine1));
+  requireFit(layers_[kOutput], outputs(kUpFine));
+  if (outputs(kOutput) != kOutputs) {
+    throw std::invalid_argument("the last layer of the network has another number of outputs");
+  }
+}
+
+Channels WallNetwork::convolved(Layer layer, const Channels& input) const {
+  return convolve(input, layers_[layer], layer == kOutput ? Activation::kNone : Activation::kRelu);
+}
+
+Channels WallNetwork::apply(const Channels& rasters) const {
+  Channels padded(rasters.count(), roundedUp(rasters.height()), roundedUp(rasters.width()));
+  copyShared(rasters, padded);
+  const Channels fine = convolved(kFine1, convolved(kFine0, padded));
+  const Channels middle = convolved(kMiddle1, convolved(kMiddle0, maxPool(fine)));
+  const Channels coarse = convolved(kCoarse1, convolved(kCoarse0, maxPool(middle)));
+  const Channels coarsest = convolved(kCoarsest1, convolved(kCoarsest0, maxPool(coarse)));
+  const Channels up_coarse = convolved(kUpCoarse, joined(upsample(coarsest), coarse));
+  const Channels up_middle = convolved(kUpMiddle, joined(upsample(up_coarse), middle));
+  const Channels up_fine = convolved(kUpFine, joined(upsample(up_middle), fine));
+  Channels result(kOutputs, rasters.height(), rasters.width());
+  copyShared(convolved(kOutput, up_fine), result);
+  return result;
+}
+
+WallNetwork parseWallNetwork(const std::string& json, const std::string& name) {
+  try {
+    const nlohmann::json file = nlohmann::json::parse(json);
+    if (file.at("format") != kWallNetworkFormat) {
+      throw InputError(name + ": another format of networks; this release reads format " +
+                       std::to_string(kWallNetworkFormat) + ", so train the network again");
+    }
+    const nlohmann::json& layers = file.at("layers");
+    if (layers.size() != WallNetwork::kLayers) {
+      throw InputError(name + ": layers must be a list of " + std::to_string(WallNetwork::kLayers) +
+                       " layers");
+    }
+    std::array<Convolution, WallNetwork::kLayers> convolutions;
+    for (std::size_t i = 0; i < convolutions.size(); ++i) {
+      convolutions[i] = toConvolution(layers[i]);
+    }
+    return {file.at("inputs").get<std::vector<std::string>>(), std::move(convolutions)};
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(name + ": not a network of walls: " + error.what());
+  } catch (const std::invalid_argument& error) {
+    throw InputError(name + ": " + error.what());
+  }
+}
+
+}  // namespace sfw
