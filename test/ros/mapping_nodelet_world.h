@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "static_layer.h"
+#include "support/slowdown.h"
 
 namespace sfw {
 
@@ -135,10 +136,10 @@ class NodeletWorld : public testing::Test {
     return table;
   }
 
-  /// The rows that the nodelet saves, once there are so many; what there is after 5 s otherwise.
+  /// The rows that the nodelet saves, once there are so many; the present ones after 30 s.
   std::vector<std::string> rows(std::size_t expected) {
     std::vector<std::string> saved;
-    spinUntil([&] { return (saved = savedRows()).size() >= expected; }, 30.0);
+    spinUntil([&] { return (saved = savedRows()).size() >= expected; }, 30.0 * kSlowdown);
     return saved;
   }
 

@@ -17,6 +17,7 @@
 
 #include "files/map_server.h"
 #include "structure_from_wifi/readings_io.h"
+#include "support/slowdown.h"
 
 namespace sfw {
 namespace {
@@ -68,9 +69,9 @@ class Drive : public testing::Test {
         "wifi_scan", 1000, [&](const structure_from_wifi::WifiScanConstPtr& message) {
           record.scans.push_back(*message);
         });
-    spinUntil([&] { return !record.finished.empty() && record.finished.back(); }, 30.0);
+    spinUntil([&] { return !record.finished.empty() && record.finished.back(); }, 30.0 * kSlowdown);
     const std::size_t clocks = record.clocks.size();
-    spinUntil([&] { return record.clocks.size() > clocks + 20; }, 30.0);
+    spinUntil([&] { return record.clocks.size() > clocks + 20; }, 30.0 * kSlowdown);
   }
 
   static void TearDownTestSuite() { record_.reset(); }
