@@ -4,7 +4,7 @@
 
 #include "belief/free_and_rim.h"
 #include "belief/free_probability.h"
-#include "grid/distance_transform.h"
+#include "grid/morphology.h"
 #include "grid/robot_evidence.h"
 #include "walls/network_inputs.h"
 #include "walls/network_walls.h"
@@ -58,20 +58,21 @@ Grid<float> occupancyOnMap(const GridGeometry& geometry, const Grid<float>& free
 }
 
 /// The cells of walls on the grid of a map. The robot's footprint stays free of them.
-Mask wallsOnMap(const GridGeometry& geometry, const NetworkWalls& found, const BuildingFrame& frame,
-                const Mask& path, double footprint_radius_m) {
-  Mask in_building(found.density.geometry);
-  for (const StripWall& wall : found.walls) {
+/// @param building   grid of the walls' cells, building frame
+/// @param footprint  of the robot, on the map
+Mask wallsOnMap(const std::vector<StripWall>& found, const GridGeometry& building,
+                const BuildingFrame& frame, const Mask& footprint) {
+  Mask in_building(building);
+  for (const StripWall& wall : found) {
     for (const Cell c : wall.cells) {
       in_building[c] = 1;
     }
   }
-  const Grid<double> distance = distanceTransform(path);
-  Mask walls(geometry);
+  Mask walls(footprint.geometry);
   for (std::size_t i = 0; i < walls.cells.size(); ++i) {
-    const Cell c = in_building.geometry.cellAt(frame.toBuilding(geometry.centre(geometry.cell(i))));
-    const bool covered = distance.cells[i] * geometry.resolution() <= footprint_radius_m;
-    walls.cells[i] = !covered && in_building.geometry.contains(c) ? in_building[c] : 0;
+    const Position centre = walls.geometry.centre(walls.geometry.cell(i));
+    const Cell c = building.cellAt(frame.toBuilding(centre));
+    walls.cells[i] = footprint.cells[i] == 0 && building.contains(c) ? in_building[c] : 0;
   }
   return walls;
 }
@@ -102,11 +103,12 @@ FusedBelief inferOccupancyByTomography(const GridGeometry& geometry, const Drive
   if (drive.path.empty()) {
     return belief;
   }
-  Config building = config;
+  Config features_config = config;
   if (network) {
-    building.map.resolution_m = kNetworkCellM;
+    features_config.map.resolution_m = kNetworkCellM;
   }
-  const DriveFeatures features = extractDriveFeatures(drive, building, stop, kTrustedVariance);
+  const DriveFeatures features =
+      extractDriveFeatures(drive, features_config, stop, kTrustedVariance);
   if (stop) {
     return belief;
   }
@@ -121,9 +123,10 @@ FusedBelief inferOccupancyByTomography(const GridGeometry& geometry, const Drive
   stampFootprintAndContacts(path, drive.contacts, config.path.footprint_radius_m, belief.occupied);
   Mask walls(geometry);
   if (network) {
-    const NetworkWalls found = findWallsByNetwork(features, model, belief.style, use_radio, free,
-                                                  1.0 - config.belief.free_threshold, *network);
-    walls = wallsOnMap(geometry, found, features.frame, path, config.path.footprint_radius_m);
+    const Mask footprint = dilated(path, config.path.footprint_radius_m / geometry.resolution());
+    walls = wallsOnMap(findWallsByNetwork(features, model, belief.style, use_radio, free,
+                                          1.0 - config.belief.free_threshold, *network),
+                       features.cells.geometry, features.frame, footprint);
   }
   labelFreeAndRim(path, walls, config.belief, belief.occupied);
   return belief;

@@ -9,7 +9,6 @@
 
 #include "base/log_odds.h"
 #include "grid/axis_rasters.h"
-#include "grid/distance_transform.h"
 #include "walls/wall_rasters.h"
 
 namespace sfw {
@@ -75,7 +74,7 @@ float scaled(float log_odds) { return 0.3F * log_odds; }
 constexpr NetworkInput kInputs[] = {
     {"path_close", false, feature<featureIndex("path_close")>},
     {"path_distance", false,
-     [](const CellEvidence& c) { return 0.5F * c.features[featureIndex("path_distance")]; }},
+     [](const CellEvidence& c) { return 0.5F * feature<featureIndex("path_distance")>(c); }},
     {"path_near", false, feature<featureIndex("path_near")>},
     {"depth_disc_0.6", false, feature<featureIndex("depth_disc_0.6")>},
     {"depth_disc_1.2", false, feature<featureIndex("depth_disc_1.2")>},
@@ -111,7 +110,7 @@ constexpr NetworkInput kInputs[] = {
     {"line_of_sight", true, feature<featureIndex("line_of_sight")>},
     {"wall_strength", true, feature<featureIndex("wall_strength")>},
     {"wall_beside", true,
-     [](const CellEvidence& c) { return 2.0F * c.features[featureIndex("wall_beside")]; }},
+     [](const CellEvidence& c) { return 2.0F * feature<featureIndex("wall_beside")>(c); }},
     {"way_around", true, feature<featureIndex("way_around")>},
     {"loss_along_y", true,
      [](const CellEvidence& c) { return saturating(c.loss_along_y_db, 1.0F); }},
@@ -147,26 +146,19 @@ float limitedLogOdds(float probability) {
 /// Computes rasters over the whole grid first, and then the evidence of single cells.
 class Evidence {
  public:
-  Evidence(const DriveFeatures& features, const DrivenPath& path,
+  Evidence(const DriveFeatures& features, const Mask& footprint,
            const ModelProbabilities& with_radio, const ModelProbabilities& without_radio)
       : features_(features),
-        path_(path),
+        footprint_(footprint),
         with_radio_(with_radio),
         without_radio_(without_radio),
         geometry_(features.cells.geometry),
         loss_(directedLoss(features.walls, geometry_)),
         rays_(rayDirections(geometry_, features.access_points)),
-        headings_(headings(path)),
-        footprint_(geometry_) {
-    const Grid<double> distance = distanceTransform(path.cells);
-    for (std::size_t i = 0; i < footprint_.cells.size(); ++i) {
-      footprint_.cells[i] =
-          distance.cells[i] * geometry_.resolution() <= path.robot_radius_m ? 1 : 0;
-    }
-    axis_distances_ = axisDistances(footprint_, kFarthestM);
-    strips_along_y_ = strips(loss_.mean.along_y, true);
-    strips_along_x_ = strips(loss_.mean.along_x, false);
-  }
+        headings_(headings(features.path)),
+        axis_distances_(axisDistances(footprint, kFarthestM)),
+        strips_along_x_(strips(loss_.mean.along_x, false)),
+        strips_along_y_(strips(loss_.mean.along_y, true)) {}
 
   /// The evidence in one of the described cells.
   /// @param number  of the cell among these
@@ -186,7 +178,7 @@ class Evidence {
     cell.rays_along_y = rays_.along_y.cells[i];
     cell.heading_along_x = headings_.along_x.cells[i];
     cell.heading_along_y = headings_.along_y.cells[i];
-    cell.on_path = static_cast<float>(path_.cells.cells[i]);
+    cell.on_path = static_cast<float>(features_.path.cells.cells[i]);
     for (std::size_t side = 0; side < cell.axis_distances_m.size(); ++side) {
       cell.axis_distances_m[side] = axis_distances_[side].cells[i];
     }
@@ -212,26 +204,23 @@ class Evidence {
   }
 
   const DriveFeatures& features_;
-  const DrivenPath& path_;
+  const Mask& footprint_;
   const ModelProbabilities& with_radio_;
   const ModelProbabilities& without_radio_;
   const GridGeometry& geometry_;
   DirectedLoss loss_;
   DirectedRasters rays_, headings_;
-  Mask footprint_;
-  std::array<Grid<float>, 4> axis_distances_{Grid<float>(geometry_), Grid<float>(geometry_),
-                                             Grid<float>(geometry_), Grid<float>(geometry_)};
-  StripSums strips_along_x_{Grid<float>(geometry_), Mask(geometry_)};
-  StripSums strips_along_y_{Grid<float>(geometry_), Mask(geometry_)};
+  std::array<Grid<float>, 4> axis_distances_;
+  StripSums strips_along_x_, strips_along_y_;
 };
 
 }  // namespace
 
-Channels networkInputs(const DriveFeatures& features, const DrivenPath& path,
+Channels networkInputs(const DriveFeatures& features, const Mask& footprint,
                        const ModelProbabilities& with_radio,
                        const ModelProbabilities& without_radio, UseRadio use_radio) {
   const GridGeometry& geometry = features.cells.geometry;
-  const Evidence evidence(features, path, with_radio, without_radio);
+  const Evidence evidence(features, footprint, with_radio, without_radio);
   Channels channels(std::size(kInputs), static_cast<std::size_t>(geometry.height()),
                     static_cast<std::size_t>(geometry.width()));
   for (std::size_t number = 0; number < features.cells.cells.size(); ++number) {

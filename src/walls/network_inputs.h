@@ -24,9 +24,9 @@ constexpr double kNetworkCellM = 0.1;
 /// The rasters are 0 in cells that are not described. Without radio, all rasters that depend on
 /// signal strength are 0, as in the network's training.
 /// @param features       on cells of kNetworkCellM
-/// @param path           the same path that the features describe
+/// @param footprint      cells that the robot covered
 /// @param with_radio,without_radio  probabilities of the belief model
-Channels networkInputs(const DriveFeatures& features, const DrivenPath& path,
+Channels networkInputs(const DriveFeatures& features, const Mask& footprint,
                        const ModelProbabilities& with_radio,
                        const ModelProbabilities& without_radio, UseRadio use_radio);
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "belief/free_probability.h"
-#include "grid/distance_transform.h"
+#include "grid/morphology.h"
 #include "grid/robot_evidence.h"
 #include "walls/network_inputs.h"
 
@@ -24,37 +24,30 @@ Grid<float> singleProbabilities(const CellFeatures& cells, const BeliefModel& mo
   return free;
 }
 
-ModelProbabilities modelProbabilities(const CellFeatures& cells, const BeliefModel& model,
-                                      const StyleShares& style, UseRadio use_radio) {
-  return {singleProbabilities(cells, model, style, use_radio),
-          freeProbability(cells, model, style, use_radio)};
-}
-
 }  // namespace
 
-NetworkWalls findWallsByNetwork(const DriveFeatures& features, const BeliefModel& model,
-                                const StyleShares& style, UseRadio use_radio,
-                                const Grid<float>& free, double free_above,
-                                const WallNetwork& network) {
+std::vector<StripWall> findWallsByNetwork(const DriveFeatures& features, const BeliefModel& model,
+                                          const StyleShares& style, UseRadio use_radio,
+                                          const Grid<float>& free, double free_above,
+                                          const WallNetwork& network) {
   const CellFeatures& cells = features.cells;
-  const ModelProbabilities by_path = modelProbabilities(cells, model, style, UseRadio::kNo);
-  const ModelProbabilities by_all = modelProbabilities(cells, model, style, use_radio);
+  const DrivenPath& path = features.path;
+  const Mask footprint = dilated(path.cells, path.robot_radius_m / cells.geometry.resolution());
+  const ModelProbabilities by_path{singleProbabilities(cells, model, style, UseRadio::kNo),
+                                   freeProbability(cells, model, style, UseRadio::kNo)};
+  const ModelProbabilities by_all{singleProbabilities(cells, model, style, use_radio), free};
   const Channels output =
-      network.apply(networkInputs(features, features.path, by_all, by_path, use_radio));
-  const Grid<double> distance = distanceTransform(features.path.cells);
-  NetworkWalls result{Grid<float>(cells.geometry), {}};
-  Mask footprint(cells.geometry);
-  Mask is_free(cells.geometry);
-  const float* density = output.row(WallNetwork::kDensity, 0);
+      network.apply(networkInputs(features, footprint, by_all, by_path, use_radio));
+  const float* density_before_softplus = output.row(WallNetwork::kDensity, 0);
+  Grid<float> density(cells.geometry);
+  Mask is_free = footprint;
   for (const std::size_t i : cells.cells) {
-    const bool covered =
-        distance.cells[i] * cells.geometry.resolution() <= features.path.robot_radius_m;
-    footprint.cells[i] = covered ? 1 : 0;
-    is_free.cells[i] = covered || free.cells[i] > free_above ? 1 : 0;
-    result.density.cells[i] = covered ? 0.0F : softplus(density[i]);
+    if (footprint.cells[i] == 0) {
+      is_free.cells[i] = free.cells[i] > free_above ? 1 : 0;
+      density.cells[i] = softplus(density_before_softplus[i]);
+    }
   }
-  result.walls = findStripWalls(footprint, result.density, is_free, {});
-  return result;
+  return findStripWalls(footprint, density, is_free, {});
 }
 
 }  // namespace sfw

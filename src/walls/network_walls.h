@@ -10,21 +10,16 @@
 
 namespace sfw {
 
-/// The walls of a drive, on the grid of its cell features.
-struct NetworkWalls {
-  Grid<float> density;           ///< expected number of walls in each cell
-  std::vector<StripWall> walls;  ///< between passes of the robot
-};
-
-/// Finds the walls of a drive with a network.
+/// Finds the walls between passes of the robot with a network.
 /// @param features  on cells of kNetworkCellM
 /// @param style     share of the belief model for each driving style
 /// @param free      probability of free space, with the same radio, as of freeProbability
-/// @param free_above  cells above this probability are free for the ends of walls
+/// @param free_above cells above this probability are free for the ends of walls
+/// @return on the grid of the features
 /// O(cells x weights of the network).
-NetworkWalls findWallsByNetwork(const DriveFeatures& features, const BeliefModel& model,
-                                const StyleShares& style, UseRadio use_radio,
-                                const Grid<float>& free, double free_above,
-                                const WallNetwork& network);
+std::vector<StripWall> findWallsByNetwork(const DriveFeatures& features, const BeliefModel& model,
+                                          const StyleShares& style, UseRadio use_radio,
+                                          const Grid<float>& free, double free_above,
+                                          const WallNetwork& network);
 
 }  // namespace sfw
