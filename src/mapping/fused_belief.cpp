@@ -116,7 +116,12 @@ FusedBelief inferOccupancyByTomography(const GridGeometry& geometry, const Drive
   belief.style = model.shares(features.cells.style);
   belief.explained_variance = features.cells.explained_variance;
   const Grid<float> free = freeProbability(features.cells, model, belief.style, use_radio);
-  belief.occupied = occupancyOnMap(geometry, free, features.frame);
+  NetworkFindings found{{}, free};
+  if (network) {
+    found = findWallsByNetwork(features, model, belief.style, use_radio, free,
+                               1.0 - config.belief.free_threshold, *network);
+  }
+  belief.occupied = occupancyOnMap(geometry, found.free, features.frame);
   belief.wall_loss = onMap(geometry, features.walls.loss_db, features.frame, 0.0F);
   belief.sample_loss_db = sampleLosses(drive, features);
   const Mask path = cellsCrossed(geometry, drive.path, config.path.max_gap_m);
@@ -124,9 +129,7 @@ FusedBelief inferOccupancyByTomography(const GridGeometry& geometry, const Drive
   Mask walls(geometry);
   if (network) {
     const Mask footprint = dilated(path, config.path.footprint_radius_m / geometry.resolution());
-    walls = wallsOnMap(findWallsByNetwork(features, model, belief.style, use_radio, free,
-                                          1.0 - config.belief.free_threshold, *network),
-                       features.cells.geometry, features.frame, footprint);
+    walls = wallsOnMap(found.walls, features.cells.geometry, features.frame, footprint);
   }
   labelFreeAndRim(path, walls, config.belief, belief.occupied);
   return belief;

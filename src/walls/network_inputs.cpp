@@ -137,12 +137,6 @@ constexpr NetworkInput kInputs[] = {
     {"radio_used", true, [](const CellEvidence&) { return 1.0F; }},
 };
 
-float limitedLogOdds(float probability) {
-  constexpr double kLeast = 1e-3;
-  return static_cast<float>(
-      logit(std::clamp(static_cast<double>(probability), kLeast, 1.0 - kLeast)));
-}
-
 /// Computes rasters over the whole grid first, and then the evidence of single cells.
 class Evidence {
  public:
@@ -200,7 +194,9 @@ class Evidence {
     }
     const std::int64_t widest = std::lround(kFarthestM / geometry_.resolution());
     const std::int64_t reach = std::lround(0.3 / geometry_.resolution());
-    return stripSums(footprint_, per_cell, along_rows, widest, reach);
+    const GridLines lines(geometry_, along_rows);
+    return stripSums(per_cell, lines, stretchesBeside(footprint_, lines, widest, 0).between_passes,
+                     reach);
   }
 
   const DriveFeatures& features_;
@@ -215,6 +211,12 @@ class Evidence {
 };
 
 }  // namespace
+
+float limitedLogOdds(float probability) {
+  constexpr double kLeast = 1e-3;
+  return static_cast<float>(
+      logit(std::clamp(static_cast<double>(probability), kLeast, 1.0 - kLeast)));
+}
 
 Channels networkInputs(const DriveFeatures& features, const Mask& footprint,
                        const ModelProbabilities& with_radio,

@@ -19,6 +19,9 @@ struct ModelProbabilities {
 /// Edge of the cells that a network of walls sees [m].
 constexpr double kNetworkCellM = 0.1;
 
+/// Log odds of a probability, limited to 1 : 999, as the network sees them.
+float limitedLogOdds(float probability);
+
 /// Makes the rasters that a network of walls sees: one channel for each row of its table of inputs.
 ///
 /// The rasters are 0 in cells that are not described. Without radio, all rasters that depend on

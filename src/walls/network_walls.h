@@ -10,16 +10,21 @@
 
 namespace sfw {
 
-/// Finds the walls between passes of the robot with a network.
+/// What a network finds, on the grid of the features.
+struct NetworkFindings {
+  std::vector<StripWall> walls;
+  Grid<float> free;  ///< probability of free space: the network's in open strips, else as given
+};
+
+/// Finds the walls beside the way of the robot with a network.
 /// @param features  on cells of kNetworkCellM
 /// @param style     share of the belief model for each driving style
 /// @param free      probability of free space, with the same radio, as of freeProbability
 /// @param free_above cells above this probability are free for the ends of walls
-/// @return on the grid of the features
 /// O(cells x weights of the network).
-std::vector<StripWall> findWallsByNetwork(const DriveFeatures& features, const BeliefModel& model,
-                                          const StyleShares& style, UseRadio use_radio,
-                                          const Grid<float>& free, double free_above,
-                                          const WallNetwork& network);
+NetworkFindings findWallsByNetwork(const DriveFeatures& features, const BeliefModel& model,
+                                   const StyleShares& style, UseRadio use_radio,
+                                   const Grid<float>& free, double free_above,
+                                   const WallNetwork& network);
 
 }  // namespace sfw

@@ -31,21 +31,44 @@ struct Trace {
   std::vector<std::int64_t> places;
 };
 
-/// Searches the strips along the rows of a grid, or along its columns.
+std::int64_t inCells(double length_m, const GridGeometry& geometry) {
+  return std::lround(length_m / geometry.resolution());
+}
+
+/// Searches strips of one kind along the rows of a grid, or along its columns.
 class StripSearch {
  public:
-  StripSearch(const Mask& footprint, const Grid<float>& density, const StripWallConfig& config,
-              bool rows)
+  /// @param place  density, smoothed along walls
+  StripSearch(const Mask& footprint, const Grid<float>& density, const Grid<float>& place,
+              const StripWallConfig& config, const GridLines& lines, std::vector<Stretch> stretches)
       : config_(config),
-        resolution_(footprint.geometry.resolution()),
-        lines_(footprint.geometry, rows),
+        lines_(lines),
         footprint_(footprint),
-        strips_(stripSums(footprint, density, rows, inCells(config.widest_m), inCells(kSumReachM))),
-        place_(rows ? columnMean(density, inCells(kPlaceReachM))
-                    : rowMean(density, inCells(kPlaceReachM))) {}
+        stretches_(std::move(stretches)),
+        strips_(stripSums(density, lines, stretches_, inCells(kSumReachM))),
+        place_(place) {}
+
+  /// The cells of all strips whose expected number of walls passes a test.
+  template <typename Test>
+  Mask stripsWhere(Test test) const {
+    Mask result(footprint_.geometry);
+    for (const Stretch& stretch : stretches_) {
+      if (test(expected(stretch))) {
+        for (std::int64_t at = stretch.first; at < stretch.end; ++at) {
+          result[lines_.cell(stretch.line, at)] = 1;
+        }
+      }
+    }
+    return result;
+  }
+
+  /// The strips with enough expected walls.
+  Mask closed() const {
+    return stripsWhere([&](float sum) { return sum > config_.least_expected; });
+  }
 
   std::vector<StripWall> find() const {
-    const Components parts = labelComponents(candidates());
+    const Components parts = labelComponents(closed());
     std::vector<std::pair<std::int64_t, std::int64_t>> extents(
         static_cast<std::size_t>(parts.count) + 1, {std::numeric_limits<std::int64_t>::max(), -1});
     for (std::int64_t line = 0; line < lines_.count(); ++line) {
@@ -76,32 +99,20 @@ class StripSearch {
   }
 
  private:
-  std::int64_t inCells(double metres) const { return std::lround(metres / resolution_); }
+  std::int64_t inCells(double length_m) const {
+    return sfw::inCells(length_m, footprint_.geometry);
+  }
 
-  /// Cells of the strips with enough expected walls. The median of a strip decides, because its
-  /// cells have different neighbours along the wall.
-  Mask candidates() const {
-    Mask result(footprint_.geometry);
+  /// The expected walls across a stretch: the median, because its cells have different neighbours
+  /// along the wall.
+  float expected(const Stretch& stretch) const {
     std::vector<float> sums;
-    for (std::int64_t line = 0; line < lines_.count(); ++line) {
-      for (std::int64_t at = 0; at < lines_.length(); ++at) {
-        std::int64_t end = at;
-        sums.clear();
-        for (; end < lines_.length() && strips_.in_strip[lines_.cell(line, end)] != 0; ++end) {
-          sums.push_back(strips_.sum[lines_.cell(line, end)]);
-        }
-        if (sums.empty()) {
-          continue;
-        }
-        const auto middle = sums.begin() + static_cast<std::ptrdiff_t>(sums.size() / 2);
-        std::nth_element(sums.begin(), middle, sums.end());
-        for (; *middle > config_.least_expected && at < end; ++at) {
-          result[lines_.cell(line, at)] = 1;
-        }
-        at = end;
-      }
+    for (std::int64_t at = stretch.first; at < stretch.end; ++at) {
+      sums.push_back(strips_.sum[lines_.cell(stretch.line, at)]);
     }
-    return result;
+    const auto middle = sums.begin() + static_cast<std::ptrdiff_t>(sums.size() / 2);
+    std::nth_element(sums.begin(), middle, sums.end());
+    return *middle;
   }
 
   /// The likeliest trace of a wall through all lines of a part (Viterbi's algorithm).
@@ -191,34 +202,88 @@ class StripSearch {
   }
 
   const StripWallConfig& config_;
-  double resolution_;
   GridLines lines_;
   const Mask& footprint_;
+  std::vector<Stretch> stretches_;
   StripSums strips_;
-  Grid<float> place_;  // density, smoothed along walls
+  const Grid<float>& place_;
 };
+
+/// The searches along one axis.
+struct AxisSearch {
+  AxisSearch(const Mask& footprint, const Grid<float>& density, const StripWallConfig& config,
+             bool rows)
+      : lines(footprint.geometry, rows),
+        place(rows ? columnMean(density, inCells(kPlaceReachM, footprint.geometry))
+                   : rowMean(density, inCells(kPlaceReachM, footprint.geometry))),
+        stretches(stretchesBeside(footprint, lines, inCells(config.widest_m, footprint.geometry),
+                                  inCells(config.beyond_m, footprint.geometry))),
+        between(footprint, density, place, config, lines, stretches.between_passes),
+        beyond(footprint, density, place, config, lines, stretches.beyond_passes) {}
+
+  GridLines lines;
+  Grid<float> place;
+  Stretches stretches;
+  StripSearch between;
+  StripSearch beyond;
+};
+
+/// The cells of strips that are open along one axis and not closed along the other one.
+Mask openCells(const StripSearch& rows, const StripSearch& columns, float most_expected) {
+  const auto is_open = [&](float sum) { return sum < most_expected; };
+  const Mask open_rows = rows.stripsWhere(is_open);
+  const Mask open_columns = columns.stripsWhere(is_open);
+  const Mask closed_rows = rows.closed();
+  const Mask closed_columns = columns.closed();
+  Mask open(open_rows.geometry);
+  for (std::size_t i = 0; i < open.cells.size(); ++i) {
+    const bool is_closed = closed_rows.cells[i] != 0 || closed_columns.cells[i] != 0;
+    open.cells[i] = !is_closed && (open_rows.cells[i] != 0 || open_columns.cells[i] != 0) ? 1 : 0;
+  }
+  return open;
+}
+
+Mask cellsOf(const std::vector<StripWall>& walls, const GridGeometry& geometry) {
+  Mask cells(geometry);
+  for (const StripWall& wall : walls) {
+    for (const Cell c : wall.cells) {
+      cells[c] = 1;
+    }
+  }
+  return cells;
+}
 
 }  // namespace
 
-std::vector<StripWall> findStripWalls(const Mask& footprint, const Grid<float>& density,
-                                      const Mask& free, const StripWallConfig& config) {
-  const StripSearch across_rows(footprint, density, config, true);
-  const StripSearch across_columns(footprint, density, config, false);
-  std::vector<StripWall> walls = across_rows.find();
-  const std::size_t along_y = walls.size();
-  for (StripWall& wall : across_columns.find()) {
-    walls.push_back(std::move(wall));
-  }
-  Mask occupied(footprint.geometry);
-  for (const StripWall& wall : walls) {
-    for (const Cell c : wall.cells) {
-      occupied[c] = 1;
+StripFindings findStripWalls(const Mask& footprint, const Grid<float>& density, const Mask& free,
+                             const StripWallConfig& config) {
+  const GridGeometry& geometry = footprint.geometry;
+  const AxisSearch rows(footprint, density, config, true);
+  const AxisSearch columns(footprint, density, config, false);
+  const Mask everywhere(geometry, 1);
+  struct Search {
+    const StripSearch& strips;
+    const Mask& growth;  // ends grow through these cells
+  };
+  const Search searches[] = {{rows.between, free},
+                             {columns.between, free},
+                             {rows.beyond, everywhere},
+                             {columns.beyond, everywhere}};
+  StripFindings findings{
+      {},
+      openCells(rows.between, columns.between, static_cast<float>(config.most_expected_if_open))};
+  std::vector<const Search*> found_by;
+  for (const Search& search : searches) {
+    for (StripWall& wall : search.strips.find()) {
+      findings.walls.push_back(std::move(wall));
+      found_by.push_back(&search);
     }
   }
-  for (std::size_t i = 0; i < walls.size(); ++i) {
-    (i < along_y ? across_rows : across_columns).extend(free, occupied, walls[i]);
+  const Mask occupied = cellsOf(findings.walls, geometry);
+  for (std::size_t i = 0; i < findings.walls.size(); ++i) {
+    found_by[i]->strips.extend(found_by[i]->growth, occupied, findings.walls[i]);
   }
-  return walls;
+  return findings;
 }
 
 }  // namespace sfw

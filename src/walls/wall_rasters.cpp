@@ -59,27 +59,25 @@ void toDeviation(const Grid<float>& mean, float scale, Grid<float>& squares) {
   }
 }
 
-/// Puts the sum of the values of each stretch on all of its cells.
-void sumStretches(const Mask& footprint, const Grid<float>& values, const GridLines& lines,
-                  std::int64_t widest, Grid<float>& sums, Mask& in_strip) {
-  for (std::int64_t line = 0; line < lines.count(); ++line) {
-    std::int64_t last = -1;  // cell of the footprint
-    for (std::int64_t at = 0; at < lines.length(); ++at) {
-      if (footprint[lines.cell(line, at)] == 0) {
-        continue;
-      }
-      if (last >= 0 && at - last > 1 && at - last - 1 <= widest) {
-        float sum = 0.0F;
-        for (std::int64_t i = last + 1; i < at; ++i) {
-          sum += values[lines.cell(line, i)];
-        }
-        for (std::int64_t i = last + 1; i < at; ++i) {
-          sums[lines.cell(line, i)] = sum;
-          in_strip[lines.cell(line, i)] = 1;
-        }
-      }
-      last = at;
-    }
+/// Adds the stretches in the gap between two cells of the footprint. A gap at the border of the
+/// grid has such a cell at one end only.
+void addGap(const Stretch& gap, bool after_pass, bool before_pass, std::int64_t widest,
+            std::int64_t beyond, Stretches& stretches) {
+  const std::int64_t width = gap.end - gap.first;
+  if (width <= 0) {
+    return;
+  }
+  if (after_pass && before_pass && width <= widest) {
+    stretches.between_passes.push_back(gap);
+    return;
+  }
+  const std::int64_t most = after_pass && before_pass ? width / 2 : width;
+  const std::int64_t length = std::min(beyond, most);
+  if (after_pass) {
+    stretches.beyond_passes.push_back({gap.line, gap.first, gap.first + length});
+  }
+  if (before_pass) {
+    stretches.beyond_passes.push_back({gap.line, gap.end - length, gap.end});
   }
 }
 
@@ -147,13 +145,37 @@ DirectedRasters headings(const DrivenPath& path) {
   return squares;
 }
 
-StripSums stripSums(const Mask& footprint, const Grid<float>& values, bool along_rows,
-                    std::int64_t widest, std::int64_t reach) {
-  const GridGeometry& geometry = footprint.geometry;
-  const GridLines lines(geometry, along_rows);
+Stretches stretchesBeside(const Mask& footprint, const GridLines& lines, std::int64_t widest,
+                          std::int64_t beyond) {
+  Stretches stretches;
+  for (std::int64_t line = 0; line < lines.count(); ++line) {
+    std::int64_t last = -1;  // place of the footprint
+    for (std::int64_t at = 0; at < lines.length(); ++at) {
+      if (footprint[lines.cell(line, at)] != 0) {
+        addGap({line, last + 1, at}, last >= 0, true, widest, beyond, stretches);
+        last = at;
+      }
+    }
+    addGap({line, last + 1, lines.length()}, last >= 0, false, widest, beyond, stretches);
+  }
+  return stretches;
+}
+
+StripSums stripSums(const Grid<float>& values, const GridLines& lines,
+                    const std::vector<Stretch>& stretches, std::int64_t reach) {
+  const GridGeometry& geometry = values.geometry;
   Grid<float> sums(geometry);
   StripSums result{Grid<float>(geometry), Mask(geometry)};
-  sumStretches(footprint, values, lines, widest, sums, result.in_strip);
+  for (const Stretch& stretch : stretches) {
+    float sum = 0.0F;
+    for (std::int64_t at = stretch.first; at < stretch.end; ++at) {
+      sum += values[lines.cell(stretch.line, at)];
+    }
+    for (std::int64_t at = stretch.first; at < stretch.end; ++at) {
+      sums[lines.cell(stretch.line, at)] = sum;
+      result.in_strip[lines.cell(stretch.line, at)] = 1;
+    }
+  }
   for (std::int64_t line = 0; line < lines.count(); ++line) {
     for (std::int64_t at = 0; at < lines.length(); ++at) {
       if (result.in_strip[lines.cell(line, at)] == 0) {

@@ -1,9 +1,11 @@
 #pragma once
 
-#include <array>
+#include <cstdint>
+#include <vector>
 
 #include "belief/drive_features.h"
 #include "grid/mask.h"
+#include "walls/grid_lines.h"
 
 namespace sfw {
 
@@ -33,20 +35,36 @@ DirectedRasters rayDirections(const GridGeometry& geometry,
 /// the path.
 DirectedRasters headings(const DrivenPath& path);
 
-/// A stretch of cells between two cells of the footprint in the same row or column.
-struct StripSums {
-  Grid<float> sum;  ///< of the values in the stretch through each cell, smoothed along walls
-  Mask in_strip;    ///< cells of such stretches
+/// Neighbouring cells of one row or column, beside the footprint of the robot.
+struct Stretch {
+  std::int64_t line = 0;
+  std::int64_t first = 0;  ///< place on the line
+  std::int64_t end = 0;    ///< one past the last place
 };
 
-/// Sums values across the strips between two passes of a path.
-/// @param footprint   of the robot
-/// @param values      per cell; they count outside the footprint
-/// @param along_rows  true: stretches lie in rows; false: in columns
-/// @param widest      longest stretch [cells]
-/// @param reach       mean over this many rows (or columns) to both sides [cells]
+/// The stretches of all rows or columns of a grid.
+struct Stretches {
+  std::vector<Stretch> between_passes;  ///< from one cell of the footprint to the next
+  std::vector<Stretch> beyond_passes;   ///< from the outermost cells outwards, and into wide gaps
+};
+
+/// Finds the stretches beside the footprint.
+/// @param widest  a gap of more cells is no stretch between passes
+/// @param beyond  length of the stretches beyond passes; in a wide gap, at most half of it [cells]
+Stretches stretchesBeside(const Mask& footprint, const GridLines& lines, std::int64_t widest,
+                          std::int64_t beyond);
+
+/// Sums of values across stretches.
+struct StripSums {
+  Grid<float> sum;  ///< of the values in the stretch through each cell, smoothed along walls
+  Mask in_strip;    ///< cells of stretches
+};
+
+/// Sums values across stretches.
+/// @param values  per cell
+/// @param reach   mean over this many rows (or columns) to both sides [cells]
 /// Linear in cells x reach.
-StripSums stripSums(const Mask& footprint, const Grid<float>& values, bool along_rows,
-                    std::int64_t widest, std::int64_t reach);
+StripSums stripSums(const Grid<float>& values, const GridLines& lines,
+                    const std::vector<Stretch>& stretches, std::int64_t reach);
 
 }  // namespace sfw

@@ -51,7 +51,7 @@ Rows wallsIn(const Rows& rows, const StripWallConfig& settings = config()) {
   const Scene scene = sceneOf(rows);
   Mask walls(scene.footprint.geometry);
   for (const StripWall& wall :
-       findStripWalls(scene.footprint, scene.density, scene.free, settings)) {
+       findStripWalls(scene.footprint, scene.density, scene.free, settings).walls) {
     for (const Cell c : wall.cells) {
       walls[c] = 1;
     }
@@ -87,7 +87,7 @@ TEST(StripWalls, DrawsNothingBelowTheLimit) {
 TEST(StripWalls, ReportsTheExpectedNumberOfWalls) {
   const Scene scene = sceneOf(kStrip);
   const std::vector<StripWall> walls =
-      findStripWalls(scene.footprint, scene.density, scene.free, config());
+      findStripWalls(scene.footprint, scene.density, scene.free, config()).walls;
   ASSERT_EQ(walls.size(), 1U);
   EXPECT_NEAR(walls.front().expected, 0.9, 1e-5);
 }
