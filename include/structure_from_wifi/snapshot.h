@@ -110,7 +110,12 @@ struct PathMotion {
 
 /// A map and the data that it was made from. Immutable; threads share it.
 struct Snapshot {
-  BeliefMap belief;                                  ///< probability of each cell
+  BeliefMap belief;  ///< the map, whose cells are decided: free, occupied or unknown
+
+  /// Probability of each cell before this decision. It is calibrated on simulated drives. A cell is
+  /// probably free, ahead of the robot, if it is known here, below 0.5, and not free in the map.
+  BeliefMap probability;
+
   std::vector<PathPose> path;                        ///< in the order driven, without stray poses
   std::vector<AccessPointSummary> access_points;     ///< in the order of the table
   Rejections rejections;                             ///< data that the map does not use

@@ -8,8 +8,10 @@
 
 #include "files/atomic_file.h"
 #include "files/pgm.h"
+#include "files/png.h"
 #include "files/text.h"
 #include "grid/for_each_cell.h"
+#include "grid/robot_evidence.h"
 #include "structure_from_wifi/input_error.h"
 
 namespace sfw {
@@ -18,18 +20,28 @@ namespace {
 /// The content of the YAML and the image of a map.
 struct MapFile {
   GridGeometry geometry;
-  GreyImage image;
+  TranslucentImage image;
   bool negate;
   double occupied_threshold;
   double free_threshold;
   double decibels_per_step;  // 0 if the file has none
 
+  std::size_t pixel(Cell c) const {
+    return static_cast<std::size_t>((image.grey.height - 1 - c.y) * image.grey.width + c.x);
+  }
+
+  bool known(Cell c) const { return image.opacity.empty() || image.opacity[pixel(c)] != 0; }
+
   double occupied(Cell c) const {
-    const auto row = image.height - 1 - c.y;
-    const double white = image.pixels[static_cast<std::size_t>(row * image.width + c.x)] / 255.0;
+    const double white = image.grey.pixels[pixel(c)] / 255.0;
     return negate ? white : 1.0 - white;
   }
 };
+
+TranslucentImage readImage(const std::filesystem::path& file) {
+  return file.extension() == ".png" ? readPng(file.string())
+                                    : TranslucentImage{readPgm(file.string()), {}};
+}
 
 /// @return the value of the key; `absent` only if the key is missing
 double numberOr(const YAML::Node& yaml, const char* key, double absent) {
@@ -53,9 +65,9 @@ MapFile parseMapFile(const std::string& yaml_file) {
     throw InputError(yaml_file + ": 'origin' must be [x, y, 0]: rotated maps are not supported");
   }
   const std::filesystem::path folder = std::filesystem::path(yaml_file).parent_path();
-  GreyImage image = readPgm((folder / yaml["image"].as<std::string>()).string());
-  const GridGeometry geometry(yaml["resolution"].as<double>(), {origin[0], origin[1]}, image.width,
-                              image.height);
+  TranslucentImage image = readImage(folder / yaml["image"].as<std::string>());
+  const GridGeometry geometry(yaml["resolution"].as<double>(), {origin[0], origin[1]},
+                              image.grey.width, image.grey.height);
   MapFile map{geometry,
               std::move(image),
               numberOr(yaml, "negate", 0.0) != 0.0,
@@ -96,6 +108,9 @@ std::string mapYaml(const char* image, const GridGeometry& geometry, const char*
 
 Grid<CellState> readMap(const std::string& yaml_file) {
   return converted<CellState>(yaml_file, [](const MapFile& file, Cell c) {
+    if (!file.known(c)) {
+      return CellState::kUnknown;
+    }
     const double occupied = file.occupied(c);
     if (occupied > file.occupied_threshold) {
       return CellState::kOccupied;
@@ -105,8 +120,9 @@ Grid<CellState> readMap(const std::string& yaml_file) {
 }
 
 Grid<float> readProbabilities(const std::string& yaml_file) {
-  return converted<float>(
-      yaml_file, [](const MapFile& file, Cell c) { return static_cast<float>(file.occupied(c)); });
+  return converted<float>(yaml_file, [](const MapFile& file, Cell c) {
+    return file.known(c) ? static_cast<float>(file.occupied(c)) : kUnknownOccupancy;
+  });
 }
 
 Grid<float> readWallLoss(const std::string& yaml_file) {
@@ -136,7 +152,7 @@ std::string trinaryYaml(const GridGeometry& geometry, const std::string& image) 
 }
 
 std::string probabilityYaml(const GridGeometry& geometry) {
-  return mapYaml("probability.pgm", geometry, "scale", "occupied_thresh: 1.0\nfree_thresh: 0.0\n");
+  return mapYaml("probability.png", geometry, "scale", "occupied_thresh: 1.0\nfree_thresh: 0.0\n");
 }
 
 std::string wallLossPgm(const Grid<float>& wall_loss) {

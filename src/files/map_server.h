@@ -6,14 +6,15 @@
 
 namespace sfw {
 
-/// Reads a map as map_server writes it: YAML beside a PGM (P2 or P5, 8 bit).
+/// Reads a map as map_server does: YAML beside a PGM (P2 or P5, 8 bit) or a PNG. Transparent pixels
+/// are unknown.
 ///
 /// The keys negate, occupied_thresh and free_thresh of the file turn pixels into states.
 /// @throw InputError naming the file if it cannot be read, is cut short, is rotated (yaw other than
 /// 0), has another image type or mode (`raw`), or contains an invalid value.
 Grid<CellState> readMap(const std::string& yaml_file);
 
-/// Reads the probability of being occupied of each pixel, in [0, 1].
+/// Reads the probability of being occupied of each pixel, in [0, 1]; 0.5 where it is transparent.
 /// @throw InputError as readMap
 Grid<float> readProbabilities(const std::string& yaml_file);
 
@@ -28,7 +29,8 @@ int pixelOf(CellState state);
 /// The YAML beside an image of states.
 std::string trinaryYaml(const GridGeometry& geometry, const std::string& image = "map.pgm");
 
-/// The YAML beside probability.pgm, whose pixels are 255 (1 - p).
+/// The YAML beside probability.png, whose pixels are 255 (1 - p), or transparent where p is
+/// unknown.
 std::string probabilityYaml(const GridGeometry& geometry);
 
 constexpr double kWallLossStepDb = 0.05;  ///< of a grey value in wall_loss.pgm

@@ -5,6 +5,7 @@
 #include "belief/free_and_rim.h"
 #include "belief/free_probability.h"
 #include "grid/morphology.h"
+#include "grid/ray.h"
 #include "grid/robot_evidence.h"
 #include "walls/network_inputs.h"
 #include "walls/network_walls.h"
@@ -57,24 +58,41 @@ Grid<float> occupancyOnMap(const GridGeometry& geometry, const Grid<float>& free
   return occupied;
 }
 
-/// The cells of walls on the grid of a map. The robot's footprint stays free of them.
+/// The cells of walls on the grid of a map, as lines of one cell. The robot's footprint stays free
+/// of them.
 /// @param building   grid of the walls' cells, building frame
 /// @param footprint  of the robot, on the map
 Mask wallsOnMap(const std::vector<StripWall>& found, const GridGeometry& building,
                 const BuildingFrame& frame, const Mask& footprint) {
-  Mask in_building(building);
+  Mask walls(footprint.geometry);
+  const auto occupy = [&](Cell c) {
+    if (walls.geometry.contains(c) && footprint[c] == 0) {
+      walls[c] = 1;
+    }
+  };
   for (const StripWall& wall : found) {
-    for (const Cell c : wall.cells) {
-      in_building[c] = 1;
+    for (std::size_t i = 1; i < wall.cells.size(); ++i) {
+      const Position from = frame.toMap(building.centre(wall.cells[i - 1]));
+      const Position to = frame.toMap(building.centre(wall.cells[i]));
+      Ray(walls.geometry, from, to).forEachCell(occupy);
     }
   }
-  Mask walls(footprint.geometry);
-  for (std::size_t i = 0; i < walls.cells.size(); ++i) {
-    const Position centre = walls.geometry.centre(walls.geometry.cell(i));
-    const Cell c = building.cellAt(frame.toBuilding(centre));
-    walls.cells[i] = footprint.cells[i] == 0 && building.contains(c) ? in_building[c] : 0;
-  }
   return walls;
+}
+
+/// The network's probability that each cell is occupied. Cells that a lidar would hardly see have
+/// none, because no drive like those of its training tells what stands there.
+Grid<float> probabilityByNetwork(const GridGeometry& geometry, const NetworkFindings& found,
+                                 const BuildingFrame& frame) {
+  Grid<float> probability = onMap(geometry, found.occupied, frame, kUnknownOccupancy);
+  const Grid<float> unseen = onMap(geometry, found.unseen, frame, 1.0F);
+  constexpr float kHardlySeen = 0.5F;
+  for (std::size_t i = 0; i < probability.cells.size(); ++i) {
+    if (unseen.cells[i] > kHardlySeen) {
+      probability.cells[i] = kUnknownOccupancy;
+    }
+  }
+  return probability;
 }
 
 std::vector<std::vector<double>> sampleLosses(const DriveData& drive,
@@ -97,8 +115,13 @@ FusedBelief inferOccupancyByTomography(const GridGeometry& geometry, const Drive
                                        const std::optional<WallNetwork>& network,
                                        const Config& config, UseRadio use_radio,
                                        const std::atomic<bool>& stop) {
-  FusedBelief belief{
-      Grid<float>(geometry, kUnknownOccupancy), Grid<float>(geometry), {}, 0.0, {}, {}};
+  FusedBelief belief{Grid<float>(geometry, kUnknownOccupancy),
+                     Grid<float>(geometry, kUnknownOccupancy),
+                     Grid<float>(geometry),
+                     {},
+                     0.0,
+                     {},
+                     {}};
   belief.sample_loss_db.resize(drive.access_points.size());
   if (drive.path.empty()) {
     return belief;
@@ -116,20 +139,23 @@ FusedBelief inferOccupancyByTomography(const GridGeometry& geometry, const Drive
   belief.style = model.shares(features.cells.style);
   belief.explained_variance = features.cells.explained_variance;
   const Grid<float> free = freeProbability(features.cells, model, belief.style, use_radio);
-  NetworkFindings found{{}, free};
-  if (network) {
-    found = findWallsByNetwork(features, model, belief.style, use_radio, free,
-                               1.0 - config.belief.free_threshold, *network);
-  }
-  belief.occupied = occupancyOnMap(geometry, found.free, features.frame);
-  belief.wall_loss = onMap(geometry, features.walls.loss_db, features.frame, 0.0F);
-  belief.sample_loss_db = sampleLosses(drive, features);
   const Mask path = cellsCrossed(geometry, drive.path, config.path.max_gap_m);
-  stampFootprintAndContacts(path, drive.contacts, config.path.footprint_radius_m, belief.occupied);
   Mask walls(geometry);
   if (network) {
+    const NetworkFindings found = findWallsByNetwork(features, model, belief.style, use_radio, free,
+                                                     1.0 - config.belief.free_threshold, *network);
     const Mask footprint = dilated(path, config.path.footprint_radius_m / geometry.resolution());
     walls = wallsOnMap(found.walls, features.cells.geometry, features.frame, footprint);
+    belief.occupied = occupancyOnMap(geometry, found.free, features.frame);
+    belief.probability = probabilityByNetwork(geometry, found, features.frame);
+  } else {
+    belief.occupied = occupancyOnMap(geometry, free, features.frame);
+    belief.probability = belief.occupied;
+  }
+  belief.wall_loss = onMap(geometry, features.walls.loss_db, features.frame, 0.0F);
+  belief.sample_loss_db = sampleLosses(drive, features);
+  for (Grid<float>* occupied : {&belief.occupied, &belief.probability}) {
+    stampFootprintAndContacts(path, drive.contacts, config.path.footprint_radius_m, *occupied);
   }
   labelFreeAndRim(path, walls, config.belief, belief.occupied);
   return belief;

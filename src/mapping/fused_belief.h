@@ -12,11 +12,13 @@
 
 namespace sfw {
 
-/// The result of tomography and the belief model, on the grid of a map.
+/// The result of tomography and the belief model, on the grid of a map. Both grids of occupancy
+/// hold probabilities of being occupied.
 struct FusedBelief {
-  Grid<float> occupied;             ///< probability; 0.5 exactly where there is no evidence
-  Grid<float> wall_loss;            ///< of signals through each cell, by radio alone [dB]
-  StyleShares style{};              ///< share of the expert for each driving style
+  Grid<float> occupied;     ///< after the decision of cells; 0.5 exactly where nothing is known
+  Grid<float> probability;  ///< before any decision; 0.5 exactly where nothing is known
+  Grid<float> wall_loss;    ///< of signals through each cell, by radio alone [dB]
+  StyleShares style{};      ///< share of the expert for each driving style
   double explained_variance = 0.0;  ///< as explainedVariance, without limits
   BuildingFrame frame;
 

@@ -58,7 +58,7 @@ class KVisibilityMethod : public MapMethod {
     }
     Grid<float> occupied = inferOccupancy(geometry, counted_paths, positionsOf(inliers.path),
                                           inliers.contacts, sparseInverseConfig(config_), stop);
-    return {std::move(occupied), std::move(walls), std::move(clusters), {}};
+    return {occupied, occupied, std::move(walls), std::move(clusters), {}};
   }
 
  private:

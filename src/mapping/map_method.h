@@ -15,7 +15,8 @@ namespace sfw {
 
 /// The map that a method infers.
 struct MethodResult {
-  Grid<float> occupied;  ///< probability; 0.5 exactly where nothing is known
+  Grid<float> occupied;     ///< probability, after decisions; 0.5 exactly where nothing is known
+  Grid<float> probability;  ///< the same before decisions
 
   /// Walls between each access point and each of its samples; empty for an access point without
   /// position.

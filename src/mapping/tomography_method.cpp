@@ -72,7 +72,7 @@ class TomographyMethod : public MapMethod {
     }
     FusedBelief fused =
         inferOccupancyByTomography(geometry, drive, model_, network_, config_, use_radio, stop);
-    MethodResult result{std::move(fused.occupied)};
+    MethodResult result{std::move(fused.occupied), std::move(fused.probability)};
     result.walls.resize(access_points.size());
     for (std::size_t i = 0; i < used.size(); ++i) {
       result.walls[used[i]] = wallsOf(fused.sample_loss_db[i]);

@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 
 #include "files/atomic_file.h"
 #include "files/map_server.h"
 #include "files/pgm.h"
+#include "files/png.h"
 #include "output/map_picture.h"
 #include "output/report.h"
 #include "structure_from_wifi/access_points_io.h"
@@ -21,7 +24,8 @@ namespace {
 /// Removes files of an earlier map that this map lacks.
 void removeOthers(const std::vector<std::pair<std::string, std::string>>& files,
                   const std::string& directory) {
-  for (const char* name : {"map.bt", "map.ot", "wall_loss.pgm", "wall_loss.yaml"}) {
+  for (const char* name :
+       {"map.bt", "map.ot", "probability.pgm", "wall_loss.pgm", "wall_loss.yaml"}) {
     const std::string path = directory + "/" + name;
     if (std::none_of(files.begin(), files.end(),
                      [&](const auto& file) { return file.first == path; })) {
@@ -37,9 +41,12 @@ std::string trinaryPgm(const BeliefMap& belief) {
   return encodePgm(belief.geometry(), [&](Cell c) { return pixelOf(belief.state(c)); });
 }
 
-std::string probabilityPgm(const BeliefMap& belief) {
-  return encodePgm(belief.geometry(), [&](Cell c) {
-    return std::lround(255.0 * (1.0 - static_cast<double>(belief.occupied(c))));
+std::string probabilityPng(const BeliefMap& belief) {
+  return encodeTransparentPng(belief.geometry(), [&](Cell c) -> std::optional<std::uint8_t> {
+    if (!belief.known(c)) {
+      return std::nullopt;
+    }
+    return static_cast<std::uint8_t>(std::lround(255.0F * (1.0F - belief.occupied(c))));
   });
 }
 
@@ -50,7 +57,7 @@ void writeMapFiles(const Snapshot& snapshot, const Config& config, const std::st
   std::vector<std::pair<std::string, std::string>> files{
       {directory + "/map.pgm", trinaryPgm(belief)},
       {directory + "/map.yaml", trinaryYaml(belief.geometry())},
-      {directory + "/probability.pgm", probabilityPgm(belief)},
+      {directory + "/probability.png", probabilityPng(snapshot.probability)},
       {directory + "/probability.yaml", probabilityYaml(belief.geometry())},
       {directory + "/map.png", renderPicture(snapshot)},
       {directory + "/report.json", reportJson(snapshot, config, findings)}};

@@ -26,13 +26,19 @@ Grid<float> singleProbabilities(const CellFeatures& cells, const BeliefModel& mo
   return free;
 }
 
-/// The network's probability of free space in a cell. The belief model's log odds count half, as in
-/// the network's training.
-float freeByNetwork(const Channels& output, std::size_t cell, float free_by_model) {
+/// The network's probabilities of the states of a cell; they sum to 1.
+struct StateProbabilities {
+  float free, wall, unseen;
+};
+
+/// The belief model's log odds count half, as in the network's training.
+StateProbabilities statesByNetwork(const Channels& output, std::size_t cell, float free_by_model) {
   const auto logit = [&](WallNetwork::Output channel) { return output.row(channel, 0)[cell]; };
   const float free = logit(WallNetwork::kFree) + 0.5F * limitedLogOdds(free_by_model);
-  return 1.0F / (1.0F + std::exp(logit(WallNetwork::kWall) - free) +
-                 std::exp(logit(WallNetwork::kUnseen) - free));
+  const float wall = std::exp(logit(WallNetwork::kWall) - free);
+  const float unseen = std::exp(logit(WallNetwork::kUnseen) - free);
+  const float sum = 1.0F + wall + unseen;
+  return {1.0F / sum, wall / sum, unseen / sum};
 }
 
 }  // namespace
@@ -58,10 +64,15 @@ NetworkFindings findWallsByNetwork(const DriveFeatures& features, const BeliefMo
     }
   }
   StripFindings strips = findStripWalls(footprint, density, is_free, {});
-  NetworkFindings findings{std::move(strips.walls), free};
+  NetworkFindings findings{std::move(strips.walls), free,
+                           Grid<float>(cells.geometry, kUnknownOccupancy),
+                           Grid<float>(cells.geometry, 1.0F)};
   for (const std::size_t i : cells.cells) {
+    const StateProbabilities states = statesByNetwork(output, i, free.cells[i]);
+    findings.occupied.cells[i] = states.wall / (states.wall + states.free);
+    findings.unseen.cells[i] = states.unseen;
     if (strips.open.cells[i] != 0) {
-      findings.free.cells[i] = std::max(free.cells[i], freeByNetwork(output, i, free.cells[i]));
+      findings.free.cells[i] = std::max(free.cells[i], states.free);
     }
   }
   return findings;

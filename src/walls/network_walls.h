@@ -14,6 +14,9 @@ namespace sfw {
 struct NetworkFindings {
   std::vector<StripWall> walls;
   Grid<float> free;  ///< probability of free space: the network's in open strips, else as given
+  Grid<float>
+      occupied;        ///< probability that a cell is a wall, if a lidar would see it from the path
+  Grid<float> unseen;  ///< probability that a lidar would not see a cell from the path
 };
 
 /// Finds the walls beside the way of the robot with a network.

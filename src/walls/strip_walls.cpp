@@ -67,8 +67,14 @@ class StripSearch {
     return stripsWhere([&](float sum) { return sum > config_.least_expected; });
   }
 
-  std::vector<StripWall> find() const {
-    const Components parts = labelComponents(closed());
+  /// Finds the walls in closed strips.
+  /// @param allowed  cells in which walls may stand
+  std::vector<StripWall> find(const Mask& allowed) const {
+    Mask searched = closed();
+    for (std::size_t i = 0; i < searched.cells.size(); ++i) {
+      searched.cells[i] &= allowed.cells[i];
+    }
+    const Components parts = labelComponents(searched);
     std::vector<std::pair<std::int64_t, std::int64_t>> extents(
         static_cast<std::size_t>(parts.count) + 1, {std::numeric_limits<std::int64_t>::max(), -1});
     for (std::int64_t line = 0; line < lines_.count(); ++line) {
@@ -261,20 +267,22 @@ StripFindings findStripWalls(const Mask& footprint, const Grid<float>& density, 
   const AxisSearch rows(footprint, density, config, true);
   const AxisSearch columns(footprint, density, config, false);
   const Mask everywhere(geometry, 1);
+  const Mask not_free = complement(free);
   struct Search {
     const StripSearch& strips;
-    const Mask& growth;  // ends grow through these cells
+    const Mask& allowed;  // walls stand in these cells
+    const Mask& growth;   // ends grow through these cells
   };
-  const Search searches[] = {{rows.between, free},
-                             {columns.between, free},
-                             {rows.beyond, everywhere},
-                             {columns.beyond, everywhere}};
+  const Search searches[] = {{rows.between, everywhere, free},
+                             {columns.between, everywhere, free},
+                             {rows.beyond, not_free, not_free},
+                             {columns.beyond, not_free, not_free}};
   StripFindings findings{
       {},
       openCells(rows.between, columns.between, static_cast<float>(config.most_expected_if_open))};
   std::vector<const Search*> found_by;
   for (const Search& search : searches) {
-    for (StripWall& wall : search.strips.find()) {
+    for (StripWall& wall : search.strips.find(search.allowed)) {
       findings.walls.push_back(std::move(wall));
       found_by.push_back(&search);
     }

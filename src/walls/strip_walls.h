@@ -35,7 +35,8 @@ struct StripFindings {
 /// place. A wall is spread over its strip, so no single cell would pass a limit.
 /// @param footprint  of the robot, building frame
 /// @param density    expected number of walls in each cell
-/// @param free       cells believed to be free; the ends of walls between passes grow through them
+/// @param free       cells believed to be free. The ends of walls between passes grow through them.
+///                   Walls beyond passes stand outside of them.
 /// O(cells), times the width of strips.
 StripFindings findStripWalls(const Mask& footprint, const Grid<float>& density, const Mask& free,
                              const StripWallConfig& config);

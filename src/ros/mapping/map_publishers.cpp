@@ -42,7 +42,7 @@ void MapPublishers::publish(const std::shared_ptr<const Snapshot>& snapshot,
   }
   map_.publish(published->grid);
   metadata_.publish(published->grid.info);
-  probability_.publish(toProbabilityGrid(snapshot->belief, header));
+  probability_.publish(toProbabilityGrid(snapshot->probability, header));
   path_.publish(toPath(*snapshot, header));
   markers_.publish(toMarkers(*snapshot, findings, header));
   access_points_.publish(toAccessPoints(*snapshot, findings, header));
