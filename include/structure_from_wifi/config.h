@@ -57,8 +57,8 @@ struct Config {
     double free_threshold = 0.2;       ///< free below this probability of being occupied
     double occupied_threshold = 0.65;  ///< occupied above it
     std::string model;                 ///< file of `sfw fit` for tomography; empty: as shipped
-    std::string walls = "none";        ///< drawn between passes of the robot: "none" or "network"
-    std::string rim = "occupied";      ///< state of the free area's border: or "unknown"
+    std::string walls = "network";     ///< beside the way of the robot: "network" or "none"
+    std::string rim = "unknown";       ///< state of the free area's border: or "occupied"
   } belief;                            ///< settings belief/*
 
   /// Extrusion into OctoMap.

@@ -12,13 +12,15 @@ namespace sfw {
 
 /// The image of a map as map_server reads it: 254 free, 0 occupied, 205 unknown.
 SFW_EXPORT std::string trinaryPgm(const BeliefMap& belief);
-/// The PNG of the probabilities p of being occupied: 255 (1 - p); transparent where nothing is
-/// known, which map_server reads as unknown.
+/// The image of the probabilities p of being occupied: 255 (1 - p), 128 where nothing is known.
+SFW_EXPORT std::string probabilityPgm(const BeliefMap& belief);
+/// The same as PNG, transparent where nothing is known, which map_server reads as unknown.
 SFW_EXPORT std::string probabilityPng(const BeliefMap& belief);
 
 /// Writes the files of a map into a directory. Makes the directory if it is missing.
 ///
-/// Every map has map.pgm, map.yaml, probability.png, probability.yaml, map.png and report.json.
+/// Every map has map.pgm, map.yaml, probability.pgm, probability.png, probability.yaml, map.png and
+/// report.json.
 /// Maps that octomapReaches have map.bt and map.ot. Maps of tomography have wall_loss.pgm and
 /// wall_loss.yaml. Old files stay until all new ones are complete; then files that this map lacks
 /// are removed.

@@ -24,8 +24,7 @@ namespace {
 /// Removes files of an earlier map that this map lacks.
 void removeOthers(const std::vector<std::pair<std::string, std::string>>& files,
                   const std::string& directory) {
-  for (const char* name :
-       {"map.bt", "map.ot", "probability.pgm", "wall_loss.pgm", "wall_loss.yaml"}) {
+  for (const char* name : {"map.bt", "map.ot", "wall_loss.pgm", "wall_loss.yaml"}) {
     const std::string path = directory + "/" + name;
     if (std::none_of(files.begin(), files.end(),
                      [&](const auto& file) { return file.first == path; })) {
@@ -35,10 +34,19 @@ void removeOthers(const std::vector<std::pair<std::string, std::string>>& files,
   }
 }
 
+/// The grey value of a probability: 0 is certainly occupied, 255 certainly free.
+long greyOf(const BeliefMap& belief, Cell c) {
+  return std::lround(255.0 * (1.0 - static_cast<double>(belief.occupied(c))));
+}
+
 }  // namespace
 
 std::string trinaryPgm(const BeliefMap& belief) {
   return encodePgm(belief.geometry(), [&](Cell c) { return pixelOf(belief.state(c)); });
+}
+
+std::string probabilityPgm(const BeliefMap& belief) {
+  return encodePgm(belief.geometry(), [&](Cell c) { return greyOf(belief, c); });
 }
 
 std::string probabilityPng(const BeliefMap& belief) {
@@ -46,7 +54,7 @@ std::string probabilityPng(const BeliefMap& belief) {
     if (!belief.known(c)) {
       return std::nullopt;
     }
-    return static_cast<std::uint8_t>(std::lround(255.0F * (1.0F - belief.occupied(c))));
+    return static_cast<std::uint8_t>(greyOf(belief, c));
   });
 }
 
@@ -57,6 +65,7 @@ void writeMapFiles(const Snapshot& snapshot, const Config& config, const std::st
   std::vector<std::pair<std::string, std::string>> files{
       {directory + "/map.pgm", trinaryPgm(belief)},
       {directory + "/map.yaml", trinaryYaml(belief.geometry())},
+      {directory + "/probability.pgm", probabilityPgm(snapshot.probability)},
       {directory + "/probability.png", probabilityPng(snapshot.probability)},
       {directory + "/probability.yaml", probabilityYaml(belief.geometry())},
       {directory + "/map.png", renderPicture(snapshot)},

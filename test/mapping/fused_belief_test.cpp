@@ -88,10 +88,10 @@ TEST(Tomography, ANetworkClosesWallsThatCellsLeaveOpen) {
 
 TEST(Tomography, DoesNotDependOnTheOrderOfReadings) {
   World world = flat(noiseLevel("realistic"), 12);
-  const std::string sorted = probabilityPgm(mapOf(world)->belief);
+  const std::string sorted = probabilityPgm(mapOf(world)->probability);
   std::mt19937 random(3);
   std::shuffle(world.readings.begin(), world.readings.end(), random);
-  EXPECT_EQ(probabilityPgm(mapOf(world)->belief), sorted);
+  EXPECT_EQ(probabilityPgm(mapOf(world)->probability), sorted);
 }
 
 /// The world after x -> -y, y -> x, or the like.

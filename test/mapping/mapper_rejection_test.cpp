@@ -21,7 +21,7 @@ TEST(Mapper, RefusesWhatItCannotUseAndKeepsItsMap) {
   const GridGeometry geometry = mapper.geometry();
   const auto map_of = [](const Mapper& m) {
     const auto snapshot = m.infer();
-    return hashOf(trinaryPgm(snapshot->belief) + probabilityPgm(snapshot->belief));
+    return hashOf(trinaryPgm(snapshot->belief) + probabilityPgm(snapshot->probability));
   };
   const std::uint64_t before = map_of(mapper);
   const std::vector<std::pair<Reading, InsertResult>> cases{

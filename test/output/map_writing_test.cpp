@@ -50,8 +50,9 @@ class MapWriting : public test::TemporaryFolder {
   }
 };
 
-const std::set<std::string> kFiles{"map.pgm", "map.yaml", "probability.pgm", "probability.yaml",
-                                   "map.bt",  "map.ot",   "map.png",         "report.json"};
+const std::set<std::string> kFiles{"map.pgm",         "map.yaml",         "probability.pgm",
+                                   "probability.png", "probability.yaml", "map.bt",
+                                   "map.ot",          "map.png",          "report.json"};
 
 TEST_F(MapWriting, MakesItsDirectoryAndAllFiles) {
   writeMapFiles(snapshot(0), Config(), path("new/directory"));

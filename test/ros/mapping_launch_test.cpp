@@ -177,8 +177,8 @@ TEST_F(Mapping, SavesTheMap) {
   ASSERT_TRUE(response.success) << response.message;
   waitUntilQuiet();
   for (const char* file :
-       {"map.yaml", "map.pgm", "probability.yaml", "probability.pgm", "map.bt", "map.ot", "map.png",
-        "report.json", "readings.csv", "access_points.yaml"}) {
+       {"map.yaml", "map.pgm", "probability.yaml", "probability.pgm", "probability.png", "map.bt",
+        "map.ot", "map.png", "report.json", "readings.csv", "access_points.yaml"}) {
     EXPECT_TRUE(fs::file_size(saveDirectory() / "first" / file) > 0) << file;
   }
   octomap::OcTree tree(1.0);

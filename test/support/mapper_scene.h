@@ -50,7 +50,7 @@ inline std::uint64_t hashOf(const std::string& bytes) {
 /// The hash of the states, probabilities and report of a map.
 inline std::uint64_t hashOf(const Mapper& mapper) {
   const auto snapshot = mapper.infer();
-  return hashOf(trinaryPgm(snapshot->belief) + probabilityPgm(snapshot->belief) +
+  return hashOf(trinaryPgm(snapshot->belief) + probabilityPgm(snapshot->probability) +
                 reportJson(*snapshot, Config()));
 }
 
