@@ -8,6 +8,7 @@
 #include "grid/robot_evidence.h"
 #include "walls/network_inputs.h"
 #include "walls/network_walls.h"
+#include "walls/wall_segments.h"
 
 namespace sfw {
 namespace {
@@ -77,6 +78,19 @@ Mask wallsOnMap(const std::vector<StripWall>& found, const GridGeometry& buildin
   return walls;
 }
 
+/// The straight pieces of walls in the frame of the map.
+/// @param building  grid of the walls' cells, building frame
+std::vector<WallSegment> segmentsInMap(const std::vector<StripWall>& found,
+                                       const GridGeometry& building, const BuildingFrame& frame) {
+  std::vector<WallSegment> segments;
+  for (const StripWall& wall : found) {
+    for (const WallSegment& piece : straightPieces(wall, building)) {
+      segments.push_back({frame.toMap(piece.from), frame.toMap(piece.to), piece.confidence});
+    }
+  }
+  return segments;
+}
+
 std::vector<std::vector<double>> sampleLosses(const DriveData& drive,
                                               const DriveFeatures& features) {
   std::vector<std::vector<double>> losses_db;
@@ -98,7 +112,7 @@ FusedBelief inferOccupancyByTomography(const GridGeometry& geometry, const Drive
                                        const Config& config, UseRadio use_radio,
                                        const std::atomic<bool>& stop) {
   FusedBelief belief{
-      Grid<float>(geometry, kUnknownOccupancy), Grid<float>(geometry), {}, 0.0, {}, {}};
+      Grid<float>(geometry, kUnknownOccupancy), Grid<float>(geometry), {}, 0.0, {}, {}, {}};
   belief.sample_loss_db.resize(drive.access_points.size());
   if (drive.path.empty()) {
     return belief;
@@ -124,9 +138,11 @@ FusedBelief inferOccupancyByTomography(const GridGeometry& geometry, const Drive
   Mask walls(geometry);
   if (network) {
     const Mask footprint = dilated(path, config.path.footprint_radius_m / geometry.resolution());
-    walls = wallsOnMap(findWallsByNetwork(features, model, belief.style, use_radio, free,
-                                          1.0 - config.belief.free_threshold, *network),
-                       features.cells.geometry, features.frame, footprint);
+    const std::vector<StripWall> found =
+        findWallsByNetwork(features, model, belief.style, use_radio, free,
+                           1.0 - config.belief.free_threshold, *network);
+    walls = wallsOnMap(found, features.cells.geometry, features.frame, footprint);
+    belief.walls = segmentsInMap(found, features.cells.geometry, features.frame);
   }
   labelFreeAndRim(path, walls, config.belief, belief.occupied);
   return belief;

@@ -137,10 +137,10 @@ std::shared_ptr<const Snapshot> Mapper::infer(UseRadio use_radio,
     }
     access_points[i].samples = std::move(inliers.readings[i].samples);
   }
-  return std::make_shared<const Snapshot>(
-      Snapshot{BeliefMap(result.occupied, config_.belief), std::move(inliers.path),
-               std::move(access_points), store_->rejections(), std::move(result.tomography),
-               inliers.stray, inliers.motion, inliers.stamped_alike, extent});
+  return std::make_shared<const Snapshot>(Snapshot{
+      BeliefMap(result.occupied, config_.belief), std::move(inliers.path), std::move(access_points),
+      store_->rejections(), std::move(result.tomography), inliers.stray, inliers.motion,
+      inliers.stamped_alike, extent, std::move(result.wall_segments)});
 }
 
 }  // namespace sfw
