@@ -11,6 +11,7 @@
 #include "files/pgm.h"
 #include "output/map_picture.h"
 #include "output/report.h"
+#include "output/wall_files.h"
 #include "structure_from_wifi/access_points_io.h"
 #include "structure_from_wifi/octomap_export.h"
 #include "structure_from_wifi/readings_io.h"
@@ -47,12 +48,16 @@ void writeMapFiles(const Snapshot& snapshot, const Config& config, const std::st
                    const DataFindings& findings) {
   // All files are encoded before the first is written, so an error leaves no new file.
   const BeliefMap& belief = snapshot.belief;
+  const FloorDrawing drawing = floorDrawing(snapshot);
   std::vector<std::pair<std::string, std::string>> files{
       {directory + "/map.pgm", trinaryPgm(belief)},
       {directory + "/map.yaml", trinaryYaml(belief.geometry())},
       {directory + "/probability.pgm", probabilityPgm(belief)},
       {directory + "/probability.yaml", probabilityYaml(belief.geometry())},
       {directory + "/map.png", renderPicture(snapshot)},
+      {directory + "/walls.yaml", wallsYaml(snapshot.walls)},
+      {directory + "/walls.svg", wallsSvg(drawing)},
+      {directory + "/walls.dxf", wallsDxf(drawing)},
       {directory + "/report.json", reportJson(snapshot, config, findings)}};
   if (octomapReaches(belief.geometry())) {
     const auto tree = toOctomap(belief, config.octomap);
