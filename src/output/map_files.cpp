@@ -22,7 +22,8 @@ namespace {
 /// Removes files of an earlier map that this map lacks.
 void removeOthers(const std::vector<std::pair<std::string, std::string>>& files,
                   const std::string& directory) {
-  for (const char* name : {"map.bt", "map.ot", "wall_loss.pgm", "wall_loss.yaml"}) {
+  for (const char* name :
+       {"map.bt", "map.ot", "wall_loss.pgm", "wall_loss.yaml", "wall_loss.png"}) {
     const std::string path = directory + "/" + name;
     if (std::none_of(files.begin(), files.end(),
                      [&](const auto& file) { return file.first == path; })) {
@@ -68,6 +69,7 @@ void writeMapFiles(const Snapshot& snapshot, const Config& config, const std::st
     const Grid<float>& wall_loss = snapshot.tomography->wall_loss;
     files.emplace_back(directory + "/wall_loss.pgm", wallLossPgm(wall_loss));
     files.emplace_back(directory + "/wall_loss.yaml", wallLossYaml(wall_loss.geometry));
+    files.emplace_back(directory + "/wall_loss.png", renderWallLoss(wall_loss, snapshot));
   }
   makeDirectories(directory);
   writeAtomically(files);
