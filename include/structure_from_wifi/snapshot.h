@@ -12,6 +12,7 @@
 #include "structure_from_wifi/export.h"
 #include "structure_from_wifi/grid_geometry.h"
 #include "structure_from_wifi/types.h"
+#include "structure_from_wifi/wall_segment.h"
 
 namespace sfw {
 
@@ -128,6 +129,10 @@ struct Snapshot {
   std::size_t stamped_alike = 0;
 
   Box extent = {};  ///< of access points, path and contacts, without the map's margin [m]
+
+  /// Walls between two passes of the robot, which the map also shows as occupied cells. Only method
+  /// tomography with `belief/walls: network` finds them.
+  std::vector<WallSegment> walls = {};
 };
 
 }  // namespace sfw

@@ -5,14 +5,16 @@
 #include <stdexcept>
 
 #include "base/constants.h"
+#include "files/round_length.h"
+#include "files/text.h"
 
 namespace sfw {
 namespace {
 
 constexpr double kLongSide = 1000.0;   // of the map in the picture [px]
-constexpr double kBorder = 24.0;       // around the map [px]
+constexpr double kBorder = 40.0;       // around the map, with room for coordinates [px]
 constexpr double kFooter = 56.0;       // for legend and scale bar [px]
-constexpr double kLeastWidth = 520.0;  // so that the footer fits [px]
+constexpr double kLeastWidth = 600.0;  // so that header and footer fit [px]
 constexpr double kTextSize = 15.0;     // [px]
 constexpr Colour kInk{0.15, 0.15, 0.18};
 
@@ -79,8 +81,7 @@ void Canvas::beginPanel(int panel, const std::string& title, const std::string& 
   drawLabel(note, {corner_.x(), kNoteLine});
   cairo_rectangle(context_.get(), corner_.x(), corner_.y(), map_width_, map_height_);
   cairo_clip(context_.get());
-  setColour(kUnknown);
-  cairo_paint(context_.get());
+  fillArea(kUnknown);
 }
 
 void Canvas::endPanel() { cairo_reset_clip(context_.get()); }
@@ -102,11 +103,62 @@ void Canvas::addCell(const GridGeometry& geometry, Cell cell) {
   cairo_rectangle(context_.get(), centre.x() - side / 2, centre.y() - side / 2, side, side);
 }
 
+void Canvas::fillArea(const Colour& colour) {
+  setColour(colour);
+  cairo_rectangle(context_.get(), corner_.x(), corner_.y(), map_width_, map_height_);
+  cairo_fill(context_.get());
+}
+
 void Canvas::drawDot(const Position& at, const Colour& colour) {
   const Position centre = toPixels(at);
   setColour(colour);
   cairo_arc(context_.get(), centre.x(), centre.y(), one_row_ ? 2.0 : 2.5, 0.0, 2.0 * kPi);
   cairo_fill(context_.get());
+}
+
+void Canvas::drawLine(const Position& from, const Position& to, const Colour& colour,
+                      double width_px) {
+  const Position start = toPixels(from);
+  const Position end = toPixels(to);
+  setColour(colour);
+  cairo_set_line_width(context_.get(), width_px);
+  cairo_move_to(context_.get(), start.x(), start.y());
+  cairo_line_to(context_.get(), end.x(), end.y());
+  cairo_stroke(context_.get());
+}
+
+void Canvas::drawNetLine(const Position& from_pixels, const Position& to_pixels) {
+  constexpr double kFaint = 0.2;  // opacity
+  cairo_set_source_rgba(context_.get(), kInk[0], kInk[1], kInk[2], kFaint);
+  cairo_set_line_width(context_.get(), 1.0);
+  cairo_move_to(context_.get(), from_pixels.x(), from_pixels.y());
+  cairo_line_to(context_.get(), to_pixels.x(), to_pixels.y());
+  cairo_stroke(context_.get());
+}
+
+void Canvas::drawAxes() {
+  constexpr double kWidestStep = 120.0;  // [px]
+  constexpr double kNumberSize = 12.0;   // [px]
+  constexpr double kGap = 5.0;           // [px]
+  const double step = roundLength(kWidestStep / scale_);
+  const Position low = toPixels(area_.min());
+  const Position high = toPixels(area_.max());
+  cairo_set_font_size(context_.get(), kNumberSize);
+  for (double i = std::ceil(area_.min().x() / step); i * step <= area_.max().x(); ++i) {
+    const double x = toPixels({i * step, 0.0}).x();
+    const std::string number = formatted("%.0f", i * step + 0.0);  // without the sign of -0
+    drawNetLine({x, low.y()}, {x, high.y()});
+    drawLabel(number, {x - textWidth(number) / 2, low.y() + kNumberSize + kGap});
+  }
+  for (double i = std::ceil(area_.min().y() / step); i * step <= area_.max().y(); ++i) {
+    const double y = toPixels({0.0, i * step}).y();
+    const std::string number = formatted("%.0f", i * step + 0.0);
+    drawNetLine({low.x(), y}, {high.x(), y});
+    drawLabel(number, {low.x() - textWidth(number) - kGap, y + kNumberSize / 3});
+  }
+  drawLabel("x [m]", {high.x() - textWidth("x [m]") - kGap, low.y() - kGap});
+  drawLabel("y [m]", {low.x() + kGap, high.y() + kNumberSize + kGap});
+  cairo_set_font_size(context_.get(), text_size_);
 }
 
 void Canvas::drawAccessPoint(const Position& at, const std::string& name) {
@@ -138,6 +190,11 @@ void Canvas::drawLabel(const std::string& text, const Position& at_pixels) {
   cairo_stroke_preserve(context_.get());
   setColour(kInk);
   cairo_fill(context_.get());
+}
+
+void Canvas::drawHeader(const std::vector<LegendEntry>& legend) {
+  constexpr double kTop = 12.0;  // [px]
+  drawLegend(legend, kTop, kTop);
 }
 
 void Canvas::drawFooter(const std::string& caption, const std::vector<LegendEntry>& legend) {
@@ -181,10 +238,7 @@ void Canvas::drawLegend(const std::vector<LegendEntry>& legend, double first_row
 void Canvas::drawScaleBar(double top) {
   // The longest round length of at most a third of the width.
   const double most = (one_row_ ? map_width_ : width_) / 3;
-  double metres = 1.0;
-  for (const double longer : {2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0}) {
-    metres = longer * scale_ < most ? longer : metres;
-  }
+  const double metres = roundLength(most / scale_);
   const double length = metres * scale_;
   const double right = width_ - (one_row_ ? panel::kGap : kBorder);
   const std::string text = std::to_string(static_cast<int>(metres)) + " m";

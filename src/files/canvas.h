@@ -42,14 +42,27 @@ class Canvas {
   /// Ends the panel. Later calls draw outside of panels.
   void endPanel();
 
-  /// Fills the cells for which `chosen(Cell)` holds.
+  /// Fills the area; a picture begins with the colour of unknown cells.
+  void fillArea(const Colour& colour);
+
+  /// Fills the cells for which `chosen(Cell)` holds, as far as they lie in the area.
   template <class Chosen>
   void fillCells(const GridGeometry& geometry, const Colour& colour, Chosen&& chosen);
 
   void drawDot(const Position& at, const Colour& colour);
 
+  /// @param width_px  on the picture, whatever its scale
+  void drawLine(const Position& from, const Position& to, const Colour& colour, double width_px);
+
+  /// Draws a net of round coordinates across the area, with numbers in the border [m]. A picture
+  /// with panels has no room for the numbers.
+  void drawAxes();
+
   /// Draws an access point with its name beside it, if the name is not empty.
   void drawAccessPoint(const Position& at, const std::string& name);
+
+  /// Draws entries above the area. A picture with panels has no room for them.
+  void drawHeader(const std::vector<LegendEntry>& legend);
 
   /// Draws caption and entries on the left, and the scale bar on the right. A picture with panels
   /// has room for one row of entries and for no caption.
@@ -67,6 +80,7 @@ class Canvas {
   void makePage(double width, double height, double text_size, const Colour& ground);
   Position toPixels(const Position& point) const;
   void setColour(const Colour& colour);
+  void drawNetLine(const Position& from_pixels, const Position& to_pixels);
   void addCell(const GridGeometry& geometry, Cell cell);
   void drawLabel(const std::string& text, const Position& at_pixels);
   double textWidth(const std::string& text) const;
@@ -88,6 +102,9 @@ class Canvas {
 
 template <class Chosen>
 void Canvas::fillCells(const GridGeometry& geometry, const Colour& colour, Chosen&& chosen) {
+  cairo_save(context_.get());
+  cairo_rectangle(context_.get(), corner_.x(), corner_.y(), map_width_, map_height_);
+  cairo_clip(context_.get());                                 // no cell covers the border
   cairo_set_antialias(context_.get(), CAIRO_ANTIALIAS_NONE);  // no seams between cells
   setColour(colour);
   forEachCell(geometry, [&](Cell c) {
@@ -96,7 +113,7 @@ void Canvas::fillCells(const GridGeometry& geometry, const Colour& colour, Chose
     }
   });
   cairo_fill(context_.get());
-  cairo_set_antialias(context_.get(), CAIRO_ANTIALIAS_DEFAULT);
+  cairo_restore(context_.get());
 }
 
 }  // namespace sfw

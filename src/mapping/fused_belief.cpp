@@ -9,6 +9,7 @@
 #include "grid/robot_evidence.h"
 #include "walls/network_inputs.h"
 #include "walls/network_walls.h"
+#include "walls/wall_segments.h"
 
 namespace sfw {
 namespace {
@@ -95,6 +96,19 @@ Grid<float> probabilityByNetwork(const GridGeometry& geometry, const NetworkFind
   return probability;
 }
 
+/// The straight pieces of walls in the frame of the map.
+/// @param building  grid of the walls' cells, building frame
+std::vector<WallSegment> segmentsInMap(const std::vector<StripWall>& found,
+                                       const GridGeometry& building, const BuildingFrame& frame) {
+  std::vector<WallSegment> segments;
+  for (const StripWall& wall : found) {
+    for (const WallSegment& piece : straightPieces(wall, building)) {
+      segments.push_back({frame.toMap(piece.from), frame.toMap(piece.to), piece.confidence});
+    }
+  }
+  return segments;
+}
+
 std::vector<std::vector<double>> sampleLosses(const DriveData& drive,
                                               const DriveFeatures& features) {
   std::vector<std::vector<double>> losses_db;
@@ -121,6 +135,7 @@ FusedBelief inferOccupancyByTomography(const GridGeometry& geometry, const Drive
                      {},
                      0.0,
                      {},
+                     {},
                      {}};
   belief.sample_loss_db.resize(drive.access_points.size());
   if (drive.path.empty()) {
@@ -146,6 +161,7 @@ FusedBelief inferOccupancyByTomography(const GridGeometry& geometry, const Drive
                                                      1.0 - config.belief.free_threshold, *network);
     const Mask footprint = dilated(path, config.path.footprint_radius_m / geometry.resolution());
     walls = wallsOnMap(found.walls, features.cells.geometry, features.frame, footprint);
+    belief.walls = segmentsInMap(found.walls, features.cells.geometry, features.frame);
     belief.occupied = occupancyOnMap(geometry, found.free, features.frame);
     belief.probability = probabilityByNetwork(geometry, found, features.frame);
   } else {

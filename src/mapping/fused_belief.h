@@ -8,6 +8,7 @@
 #include "belief/belief_model.h"
 #include "belief/drive_features.h"
 #include "structure_from_wifi/config.h"
+#include "structure_from_wifi/wall_segment.h"
 #include "walls/wall_network.h"
 
 namespace sfw {
@@ -24,6 +25,8 @@ struct FusedBelief {
 
   /// Loss by the estimated walls on the ray to each sample of each access point [dB].
   std::vector<std::vector<double>> sample_loss_db;
+
+  std::vector<WallSegment> walls;  ///< that the network found, map frame
 };
 
 /// Infers the occupancy of all cells by line-field tomography and the belief model

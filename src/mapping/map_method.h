@@ -24,6 +24,7 @@ struct MethodResult {
 
   std::vector<WallCountClusters> wall_counts = {};   ///< of each access point, k_visibility only
   std::optional<TomographySummary> tomography = {};  ///< tomography only
+  std::vector<WallSegment> wall_segments = {};       ///< between passes of the robot
 };
 
 /// A way to infer a map from the inliers of a drive. Immutable, so that threads may share one.

@@ -140,7 +140,8 @@ std::shared_ptr<const Snapshot> Mapper::infer(UseRadio use_radio,
   return std::make_shared<const Snapshot>(Snapshot{
       BeliefMap(result.occupied, config_.belief), BeliefMap(result.probability, config_.belief),
       std::move(inliers.path), std::move(access_points), store_->rejections(),
-      std::move(result.tomography), inliers.stray, inliers.motion, inliers.stamped_alike, extent});
+      std::move(result.tomography), inliers.stray, inliers.motion, inliers.stamped_alike, extent,
+      std::move(result.wall_segments)});
 }
 
 }  // namespace sfw

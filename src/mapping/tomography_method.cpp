@@ -77,6 +77,7 @@ class TomographyMethod : public MapMethod {
     for (std::size_t i = 0; i < used.size(); ++i) {
       result.walls[used[i]] = wallsOf(fused.sample_loss_db[i]);
     }
+    result.wall_segments = std::move(fused.walls);
     result.tomography = summaryOf(std::move(fused));
     return result;
   }

@@ -14,6 +14,7 @@
 #include "files/png.h"
 #include "output/map_picture.h"
 #include "output/report.h"
+#include "output/wall_files.h"
 #include "structure_from_wifi/access_points_io.h"
 #include "structure_from_wifi/octomap_export.h"
 #include "structure_from_wifi/readings_io.h"
@@ -24,7 +25,8 @@ namespace {
 /// Removes files of an earlier map that this map lacks.
 void removeOthers(const std::vector<std::pair<std::string, std::string>>& files,
                   const std::string& directory) {
-  for (const char* name : {"map.bt", "map.ot", "wall_loss.pgm", "wall_loss.yaml"}) {
+  for (const char* name :
+       {"map.bt", "map.ot", "wall_loss.pgm", "wall_loss.yaml", "wall_loss.png"}) {
     const std::string path = directory + "/" + name;
     if (std::none_of(files.begin(), files.end(),
                      [&](const auto& file) { return file.first == path; })) {
@@ -62,6 +64,7 @@ void writeMapFiles(const Snapshot& snapshot, const Config& config, const std::st
                    const DataFindings& findings) {
   // All files are encoded before the first is written, so an error leaves no new file.
   const BeliefMap& belief = snapshot.belief;
+  const FloorDrawing drawing = floorDrawing(snapshot);
   std::vector<std::pair<std::string, std::string>> files{
       {directory + "/map.pgm", trinaryPgm(belief)},
       {directory + "/map.yaml", trinaryYaml(belief.geometry())},
@@ -69,6 +72,9 @@ void writeMapFiles(const Snapshot& snapshot, const Config& config, const std::st
       {directory + "/probability.png", probabilityPng(snapshot.probability)},
       {directory + "/probability.yaml", probabilityYaml(belief.geometry())},
       {directory + "/map.png", renderPicture(snapshot)},
+      {directory + "/walls.yaml", wallsYaml(snapshot.walls)},
+      {directory + "/walls.svg", wallsSvg(drawing)},
+      {directory + "/walls.dxf", wallsDxf(drawing)},
       {directory + "/report.json", reportJson(snapshot, config, findings)}};
   if (octomapReaches(belief.geometry())) {
     const auto tree = toOctomap(belief, config.octomap);
@@ -79,6 +85,7 @@ void writeMapFiles(const Snapshot& snapshot, const Config& config, const std::st
     const Grid<float>& wall_loss = snapshot.tomography->wall_loss;
     files.emplace_back(directory + "/wall_loss.pgm", wallLossPgm(wall_loss));
     files.emplace_back(directory + "/wall_loss.yaml", wallLossYaml(wall_loss.geometry));
+    files.emplace_back(directory + "/wall_loss.png", renderWallLoss(wall_loss, snapshot));
   }
   makeDirectories(directory);
   writeAtomically(files);

@@ -11,10 +11,17 @@ namespace sfw {
 /// a fixed scale; grey for PathPose::kNoWallCount.
 Colour wallCountColour(int walls);
 
-/// Draws the known part of a map as a PNG: cells, path coloured by wall count, access points with
-/// names, legend and scale bar.
+/// Draws the known part of a map as a PNG: cells, walls between passes of the robot, path coloured
+/// by wall count, access points with names, coordinates, legend and scale bar.
+///
+/// The surer a wall, the darker its line. The loss of signals by walls shades free and unknown
+/// cells.
 /// @throw std::runtime_error if Cairo fails.
 std::string renderPicture(const Snapshot& snapshot);
+
+/// Draws the loss of signals by walls as a PNG, with path, access points, coordinates and scale.
+/// @throw std::runtime_error if Cairo fails.
+std::string renderWallLoss(const Grid<float>& wall_loss_db, const Snapshot& snapshot);
 
 /// Draws states as a PNG: free space, walls and one access point.
 /// @throw std::runtime_error if Cairo fails.

@@ -1,49 +1,18 @@
 #include "evaluation/comparison_picture.h"
 
-#include <cairo.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstring>
+#include <cstdlib>
 #include <map>
 #include <set>
 
 #include "structure_from_wifi/input_error.h"
 #include "support/evaluation_world.h"
+#include "support/png_colours.h"
 
 namespace sfw::test {
 namespace {
-
-/// How many pixels of each colour (0xRRGGBB) a PNG has.
-std::map<std::uint32_t, int> coloursOf(const std::string& png) {
-  struct Source {
-    const std::string& bytes;
-    std::size_t at;
-  } source{png, 0};
-  const auto read = [](void* closure, unsigned char* data, unsigned int length) {
-    auto* from = static_cast<Source*>(closure);
-    if (from->bytes.size() - from->at < length) {
-      return CAIRO_STATUS_READ_ERROR;
-    }
-    std::memcpy(data, from->bytes.data() + from->at, length);
-    from->at += length;
-    return CAIRO_STATUS_SUCCESS;
-  };
-  cairo_surface_t* surface = cairo_image_surface_create_from_png_stream(read, &source);
-  EXPECT_EQ(cairo_surface_status(surface), CAIRO_STATUS_SUCCESS);
-  std::map<std::uint32_t, int> colours;
-  const unsigned char* row = cairo_image_surface_get_data(surface);
-  for (int y = 0; y < cairo_image_surface_get_height(surface); ++y) {
-    for (int x = 0; x < cairo_image_surface_get_width(surface); ++x) {
-      std::uint32_t pixel = 0;
-      std::memcpy(&pixel, row + 4 * x, 4);
-      ++colours[pixel & 0xffffff];
-    }
-    row += cairo_image_surface_get_stride(surface);
-  }
-  cairo_surface_destroy(surface);
-  return colours;
-}
 
 constexpr std::uint32_t kWall = 0x1a1a1f, kMissed = 0x7399d9, kTakenForFree = 0xd91a1a,
                         kWhereFree = 0xf29a1a, kTrueWall = 0xed8c80;

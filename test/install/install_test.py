@@ -21,8 +21,8 @@ import junit  # noqa: E402
 from ros_session import RosSession, wait_until  # noqa: E402
 
 PACKAGE = "structure_from_wifi"
-MESSAGES = {"AccessPoint", "AccessPoints", "ApReading", "WifiScan", "SaveMap", "SaveMapRequest",
-            "SaveMapResponse"}
+MESSAGES = {"AccessPoint", "AccessPoints", "ApReading", "Wall", "Walls", "WifiScan", "SaveMap",
+            "SaveMapRequest", "SaveMapResponse"}
 
 
 def run(*command, environment=None):

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "base/constants.h"
 #include "belief/free_probability.h"
 #include "evaluation/ablations.h"
 #include "simulation/building/floor_plan_generator.h"
@@ -34,6 +35,17 @@ World flat(NoiseLevel level, std::int64_t seed) {
   config.access_points = 2;
   const Scenario scenario = makeScenario(generateFloorPlan(building), {}, config);
   return {scenario.plan, scenario.access_points, simulate(scenario).readings};
+}
+
+/// The world after x -> -y, y -> x, or the like.
+World moved(World world, const Eigen::Matrix2d& move) {
+  for (Reading& reading : world.readings) {
+    reading.antenna_in_map = move * reading.antenna_in_map;
+  }
+  for (AccessPoint& access_point : world.access_points) {
+    access_point.position = move * access_point.position;
+  }
+  return world;
 }
 
 std::shared_ptr<const Snapshot> mapOf(const World& world, const Config& config = {}) {
@@ -86,23 +98,47 @@ TEST(Tomography, ANetworkClosesWallsThatCellsLeaveOpen) {
   EXPECT_GT(walls.map.free.precision, cells.map.free.precision - 0.005);
 }
 
+/// Whether all segments lie along the axes of the building, within rounding errors.
+bool followAxes(const std::vector<WallSegment>& walls, double building_yaw_rad) {
+  return std::all_of(walls.begin(), walls.end(), [&](const WallSegment& wall) {
+    const Position along = wall.to - wall.from;
+    const double quarter_turns =
+        (std::atan2(along.y(), along.x()) - building_yaw_rad) / (0.5 * kPi);
+    return std::abs(quarter_turns - std::round(quarter_turns)) < 1e-9;
+  });
+}
+
+TEST(Tomography, ReportsWallsOfTheNetworkAsSegments) {
+  const World world = flat(noiseLevel("moderate"), 11);
+  EXPECT_TRUE(mapOf(world)->walls.empty());
+  Config config;
+  config.belief.walls = "network";
+  const Eigen::Matrix2d slanted = Eigen::Rotation2Dd(0.5).toRotationMatrix();
+  for (const World& one : {world, moved(world, slanted)}) {
+    const auto snapshot = mapOf(one, config);
+    ASSERT_FALSE(snapshot->walls.empty());
+    EXPECT_TRUE(followAxes(snapshot->walls, snapshot->tomography->building_yaw_rad));
+    double length_m = 0.0;
+    double free_m = 0.0;
+    for (const WallSegment& wall : snapshot->walls) {
+      EXPECT_GT(wall.confidence, 0.0);
+      EXPECT_LT(wall.confidence, 1.0);
+      const double metres = (wall.to - wall.from).norm();
+      const Cell middle = snapshot->belief.geometry().cellAt(0.5 * (wall.from + wall.to));
+      length_m += metres;
+      free_m += snapshot->belief.state(middle) == CellState::kFree ? metres : 0.0;
+    }
+    EXPECT_GT(length_m, 1.0);
+    EXPECT_LT(free_m, 0.1 * length_m);  // the map shows the same walls
+  }
+}
+
 TEST(Tomography, DoesNotDependOnTheOrderOfReadings) {
   World world = flat(noiseLevel("realistic"), 12);
   const std::string sorted = probabilityPgm(mapOf(world)->probability);
   std::mt19937 random(3);
   std::shuffle(world.readings.begin(), world.readings.end(), random);
   EXPECT_EQ(probabilityPgm(mapOf(world)->probability), sorted);
-}
-
-/// The world after x -> -y, y -> x, or the like.
-World moved(World world, const Eigen::Matrix2d& move) {
-  for (Reading& reading : world.readings) {
-    reading.antenna_in_map = move * reading.antenna_in_map;
-  }
-  for (AccessPoint& access_point : world.access_points) {
-    access_point.position = move * access_point.position;
-  }
-  return world;
 }
 
 /// Share of the cells that are free in either map and in both.

@@ -41,6 +41,7 @@ AccessPointSummary summaryOf(const std::string& bssid, const std::string& name, 
 Snapshot snapshotOf(const Rows& rows) {
   const Bssid stranger = *Bssid::parse("0a:00:00:00:00:09");
   return {beliefOf(rows),
+          beliefOf(rows),
           {{1000000000, {-0.7, 1.7}, 0}, {2000000000, {-0.4, 1.7}, 1}},
           {summaryOf("02:00:00:00:00:01", "router", -0.75, 1.85)},
           {{{InsertResult::kRssiNotFinite, 4}}, {{stranger, 2}}}};

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <string>
+
+#include "support/png_colours.h"
 
 namespace sfw {
 namespace {
@@ -39,6 +42,7 @@ Snapshot snapshot(double width, double height, const std::string& name = "router
   access_point.name = name;
   const GridGeometry geometry(0.1, {0, 0}, std::lround(width / 0.1), std::lround(height / 0.1));
   return {BeliefMap(Grid<float>(geometry, 0.1F), {}),
+          BeliefMap(Grid<float>(geometry, 0.1F), {}),
           {{0, {0.5, 0.5}, 0}, {1, {0.6, 0.5}, PathPose::kNoWallCount}, {2, {0.7, 0.5}, 9}},
           {{access_point, 0, WallCountClusters{}}},
           {}};
@@ -46,11 +50,11 @@ Snapshot snapshot(double width, double height, const std::string& name = "router
 
 TEST(MapPicture, IsAPngWhoseLongSideFillsTheMap) {
   const Size wide = sizeOf(renderPicture(snapshot(16.0, 4.0)));
-  EXPECT_NEAR(wide.width, 1048, 2);  // 1000 and two borders of 24
+  EXPECT_NEAR(wide.width, 1080, 2);  // 1000 and two borders of 40
   // Half a metre about the access point at the origin and the farthest cell's centre.
-  EXPECT_NEAR(wide.height, 1000.0 * 4.95 / 16.95 + 48 + 56, 2);
+  EXPECT_NEAR(wide.height, 1000.0 * 4.95 / 16.95 + 80 + 56, 2);
   const Size high = sizeOf(renderPicture(snapshot(4.0, 16.0)));
-  EXPECT_NEAR(high.height, 1000 + 48 + 56, 2);
+  EXPECT_NEAR(high.height, 1000 + 80 + 56, 2);
   EXPECT_GE(high.width, 520U);  // the footer's
 }
 
@@ -85,10 +89,79 @@ TEST(MapPicture, ShowsItsFooterWhateverAnAccessPointIsCalled) {
 TEST(MapPicture, ShowsStatesAlone) {
   Grid<CellState> states(GridGeometry(0.1, {0, 0}, 160, 40), CellState::kFree);
   const std::string open = renderPicture(states, {1.0, 1.0});
-  EXPECT_NEAR(sizeOf(open).height, 250 + 48 + 56, 2);
+  EXPECT_NEAR(sizeOf(open).height, 250 + 80 + 56, 2);
   states[{80, 20}] = CellState::kOccupied;
   EXPECT_NE(renderPicture(states, {1.0, 1.0}), open);
-  EXPECT_NEAR(sizeOf(renderPicture(states, {-15.99, 1.0})).height, 125 + 48 + 56, 2);
+  EXPECT_NEAR(sizeOf(renderPicture(states, {-15.99, 1.0})).height, 125 + 80 + 56, 2);
+}
+
+using Rgb = std::array<int, 3>;
+
+/// Pixels of a picture for whose colour a rule holds.
+template <class Rule>
+int pixelsWith(const std::string& png, Rule&& rule) {
+  int pixels = 0;
+  for (const auto& [colour, count] : test::coloursOf(png)) {
+    const auto part = [seen = colour](int shift) { return static_cast<int>(seen >> shift & 0xff); };
+    pixels += rule(Rgb{part(16), part(8), part(0)}) ? count : 0;
+  }
+  return pixels;
+}
+
+TEST(MapPicture, DrawsSureWallsDarkerThanUnsureOnes) {
+  const std::string none = renderPicture(snapshot(5.0, 5.0));
+  Snapshot walls = snapshot(5.0, 5.0);
+  const auto dark_red = [](const Rgb& p) { return p[0] > p[1] + 100 && p[1] < 40; };
+  const auto pale_red = [](const Rgb& p) { return p[0] > p[1] + 60 && p[1] > 90 && p[1] == p[2]; };
+  walls.walls = {{{1.0, 4.0}, {4.0, 4.0}, 0.99}};
+  const std::string sure = renderPicture(walls);
+  walls.walls[0].confidence = 0.5;
+  const std::string unsure = renderPicture(walls);
+  constexpr int kMany = 1000;  // more than a legend has
+  EXPECT_GT(pixelsWith(sure, dark_red), pixelsWith(none, dark_red) + kMany);
+  EXPECT_LT(pixelsWith(unsure, dark_red), pixelsWith(none, dark_red) + kMany);
+  EXPECT_GT(pixelsWith(unsure, pale_red), pixelsWith(sure, pale_red) + kMany);
+}
+
+/// A snapshot with the same loss in all cells.
+Snapshot withLoss(float loss_db) {
+  Snapshot result = snapshot(5.0, 5.0);
+  TomographySummary tomography{Grid<float>(result.belief.geometry(), loss_db)};
+  result.tomography = tomography;
+  return result;
+}
+
+const auto kLight = [](const Rgb& p) { return p[0] + p[1] + p[2] > 3 * 240; };
+
+TEST(MapPicture, ShadesCellsThatTakeSignalsAway) {
+  constexpr int kMany = 100000;  // of about 1000 x 1000
+  EXPECT_GT(pixelsWith(renderPicture(withLoss(0.0F)), kLight),
+            pixelsWith(renderPicture(withLoss(1.0F)), kLight) + kMany);
+}
+
+TEST(WallLossPicture, IsLightWithoutLossAndDarkerWithMore) {
+  constexpr int kMany = 100000;
+  const auto picture = [](float loss_db) {
+    const Snapshot snapshot = withLoss(loss_db);
+    return renderWallLoss(snapshot.tomography->wall_loss, snapshot);
+  };
+  EXPECT_GT(pixelsWith(picture(0.0F), kLight), pixelsWith(picture(0.5F), kLight) + kMany);
+  const auto dark = [](const Rgb& p) { return p[2] < 100; };
+  EXPECT_GT(pixelsWith(picture(2.0F), dark), pixelsWith(picture(0.5F), dark) + kMany);
+  EXPECT_EQ(picture(3.0F), picture(2.0F));
+}
+
+TEST(MapPicture, ShowsWhereTheMapLies) {
+  // The numbers of the axes tell maps apart that differ by their place only.
+  Snapshot here = snapshot(5.0, 5.0);
+  Snapshot there = here;
+  const Position shift(3.0, 0.0);
+  for (PathPose& pose : there.path) {
+    pose.antenna_in_map += shift;
+  }
+  there.access_points[0].access_point.position += shift;
+  there.belief = BeliefMap(Grid<float>(GridGeometry(0.1, shift, 50, 50), 0.1F), {});
+  EXPECT_NE(renderPicture(here), renderPicture(there));
 }
 
 TEST(WallCountColour, IsAsInThePaperForTheFirstCounts) {

@@ -21,7 +21,11 @@ Snapshot snapshot(double x) {
   access_point.position = {x, 0.0};
   Grid<float> occupied(GridGeometry(0.05, {-10.0, -10.0}, 400, 400), 0.5F);
   occupied[occupied.geometry.cellAt(access_point.position)] = 0.1F;
-  return {BeliefMap(occupied, {}), {}, {{access_point, 0, WallCountClusters{}}}, {}};
+  return {BeliefMap(occupied, {}),
+          BeliefMap(occupied, {}),
+          {},
+          {{access_point, 0, WallCountClusters{}}},
+          {}};
 }
 
 class MapWriting : public test::TemporaryFolder {
@@ -50,9 +54,9 @@ class MapWriting : public test::TemporaryFolder {
   }
 };
 
-const std::set<std::string> kFiles{"map.pgm",         "map.yaml",         "probability.pgm",
-                                   "probability.png", "probability.yaml", "map.bt",
-                                   "map.ot",          "map.png",          "report.json"};
+const std::set<std::string> kFiles{
+    "map.pgm", "map.yaml", "probability.pgm", "probability.png", "probability.yaml", "map.bt",
+    "map.ot",  "map.png",  "report.json",     "walls.yaml",      "walls.svg",        "walls.dxf"};
 
 TEST_F(MapWriting, MakesItsDirectoryAndAllFiles) {
   writeMapFiles(snapshot(0), Config(), path("new/directory"));

@@ -172,13 +172,26 @@ TEST_F(Mapping, ThePathIsThatOfTheRobot) {
   }
 }
 
+TEST_F(Mapping, TheWallsAndTheirLossBelongToTheMap) {
+  ASSERT_NE(world().walls, nullptr);
+  EXPECT_EQ(world().walls->header.frame_id, world().map->header.frame_id);
+  EXPECT_EQ(world().walls->header.stamp, world().map->header.stamp);
+  ASSERT_NE(world().wall_loss, nullptr);
+  EXPECT_EQ(world().wall_loss->info, world().map->info);
+  for (const structure_from_wifi::Wall& wall : world().walls->walls) {
+    EXPECT_GT(wall.confidence, 0.0F);
+    EXPECT_LT(wall.confidence, 1.0F);
+  }
+}
+
 TEST_F(Mapping, SavesTheMap) {
   const auto response = save("first");
   ASSERT_TRUE(response.success) << response.message;
   waitUntilQuiet();
   for (const char* file :
        {"map.yaml", "map.pgm", "probability.yaml", "probability.pgm", "probability.png", "map.bt",
-        "map.ot", "map.png", "report.json", "readings.csv", "access_points.yaml"}) {
+        "map.ot", "map.png", "report.json", "readings.csv", "access_points.yaml", "walls.yaml",
+        "walls.svg", "walls.dxf"}) {
     EXPECT_TRUE(fs::file_size(saveDirectory() / "first" / file) > 0) << file;
   }
   octomap::OcTree tree(1.0);

@@ -5,6 +5,7 @@
 #include <nav_msgs/OccupancyGrid.h>
 #include <nav_msgs/Path.h>
 #include <ros/ros.h>
+#include <structure_from_wifi/Walls.h>
 #include <structure_from_wifi/WifiScan.h>
 #include <tf2_msgs/TFMessage.h>
 #include <visualization_msgs/MarkerArray.h>
@@ -32,11 +33,12 @@ class LaunchWorld : public testing::Test {
  public:
   struct Received {
     std::optional<StaticLayer> layer;
-    nav_msgs::OccupancyGridConstPtr map, probability;
+    nav_msgs::OccupancyGridConstPtr map, probability, wall_loss;
     nav_msgs::MapMetaDataConstPtr metadata;
     octomap_msgs::OctomapConstPtr binary, full;
     visualization_msgs::MarkerArrayConstPtr markers;
     nav_msgs::PathConstPtr path;
+    structure_from_wifi::WallsConstPtr walls;
     std::vector<ros::Subscriber> subscribers;
     ros::SteadyTime last_map;
   };
@@ -113,6 +115,8 @@ class LaunchWorld : public testing::Test {
     keep("octomap_full", r.full);
     keep("markers", r.markers);
     keep("path", r.path);
+    keep("wall_loss", r.wall_loss);
+    keep("walls", r.walls);
   }
 
   static void TearDownTestSuite() {

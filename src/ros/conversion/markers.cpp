@@ -12,11 +12,12 @@
 namespace sfw {
 namespace {
 
-constexpr Colour kViolet{0.75, 0.20, 0.90};  // legible on free and occupied cells alike
-constexpr Colour kOrange{0.95, 0.40, 0.00};  // likewise, and distinct from violet
-constexpr double kAboveMap = 0.03;           // [m]
-constexpr double kLetterHeight = 0.3;        // [m]
-constexpr double kDeviations = 2.0;          // from the centre to the rim of an ellipse
+constexpr Colour kViolet{0.75, 0.20, 0.90};   // legible on free and occupied cells alike
+constexpr Colour kOrange{0.95, 0.40, 0.00};   // likewise, and distinct from violet
+constexpr Colour kDarkRed{0.55, 0.00, 0.00};  // of walls
+constexpr double kAboveMap = 0.03;            // [m]
+constexpr double kLetterHeight = 0.3;         // [m]
+constexpr double kDeviations = 2.0;           // from the centre to the rim of an ellipse
 
 std_msgs::ColorRGBA toColour(const Colour& colour, float opacity = 1.0F) {
   std_msgs::ColorRGBA message;
@@ -59,6 +60,19 @@ visualization_msgs::Marker pathMarker(const Snapshot& snapshot, const std_msgs::
     dots.colors.push_back(toColour(wallCountColour(pose.walls)));
   }
   return dots;
+}
+
+visualization_msgs::Marker wallMarker(const Snapshot& snapshot, const std_msgs::Header& header) {
+  constexpr double kWidth = 0.12;  // [m]
+  visualization_msgs::Marker lines =
+      marker(header, "walls", 0, visualization_msgs::Marker::LINE_LIST, kWidth, kDarkRed);
+  for (const WallSegment& wall : snapshot.walls) {
+    for (const Position& end : {wall.from, wall.to}) {
+      lines.points.push_back(toPoint(end, kAboveMap));
+      lines.colors.push_back(toColour(kDarkRed, static_cast<float>(wall.confidence)));
+    }
+  }
+  return lines;
 }
 
 /// Half axes of the ellipse of an estimate, and the direction of the longer one.
@@ -222,6 +236,9 @@ visualization_msgs::MarkerArray toMarkers(const Snapshot& snapshot, const DataFi
   markers.markers.push_back(clear);
   if (!snapshot.path.empty()) {
     markers.markers.push_back(pathMarker(snapshot, header));
+  }
+  if (!snapshot.walls.empty()) {
+    markers.markers.push_back(wallMarker(snapshot, header));
   }
   addAccessPoints(withChecks(snapshot, findings), header, markers);
   addLegend(snapshot, header, markers);

@@ -129,6 +129,29 @@ nav_msgs::OccupancyGrid toProbabilityGrid(const BeliefMap& belief, const std_msg
   });
 }
 
+nav_msgs::OccupancyGrid toWallLossGrid(const Grid<float>& wall_loss_db,
+                                       const std_msgs::Header& header) {
+  constexpr float kStepsPerDb = 50.0F;
+  constexpr float kHighest = 100.0F;
+  return toGrid(wall_loss_db.geometry, header, [&](Cell c) {
+    return static_cast<std::int8_t>(
+        std::lround(std::clamp(kStepsPerDb * wall_loss_db[c], 0.0F, kHighest)));
+  });
+}
+
+structure_from_wifi::Walls toWalls(const Snapshot& snapshot, const std_msgs::Header& header) {
+  structure_from_wifi::Walls message;
+  message.header = header;
+  for (const WallSegment& segment : snapshot.walls) {
+    structure_from_wifi::Wall wall;
+    wall.start = toPoint(segment.from, 0.0);
+    wall.end = toPoint(segment.to, 0.0);
+    wall.confidence = static_cast<float>(segment.confidence);
+    message.walls.push_back(wall);
+  }
+  return message;
+}
+
 nav_msgs::Path toPath(const Snapshot& snapshot, const std_msgs::Header& header) {
   nav_msgs::Path path;
   path.header = header;

@@ -7,6 +7,7 @@
 #include <octomap_msgs/Octomap.h>
 #include <std_msgs/Header.h>
 #include <structure_from_wifi/AccessPoints.h>
+#include <structure_from_wifi/Walls.h>
 
 #include <string>
 
@@ -39,6 +40,13 @@ nav_msgs::OccupancyGrid toTrinaryGrid(const Grid<CellState>& states,
 
 /// The probability of being occupied in percent, -1 in unknown cells.
 nav_msgs::OccupancyGrid toProbabilityGrid(const BeliefMap& belief, const std_msgs::Header& header);
+
+/// Losses of walls by the radio alone: 50 a dB, so 100 stands for 2 dB and more.
+nav_msgs::OccupancyGrid toWallLossGrid(const Grid<float>& wall_loss_db,
+                                       const std_msgs::Header& header);
+
+/// The walls between passes of the robot, on the floor.
+structure_from_wifi::Walls toWalls(const Snapshot& snapshot, const std_msgs::Header& header);
 
 /// The poses of the path, each with its own stamp and without heading.
 nav_msgs::Path toPath(const Snapshot& snapshot, const std_msgs::Header& header);

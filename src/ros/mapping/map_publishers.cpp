@@ -4,6 +4,7 @@
 #include <octomap/OcTree.h>
 #include <octomap_msgs/Octomap.h>
 #include <structure_from_wifi/AccessPoints.h>
+#include <structure_from_wifi/Walls.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include "ros/conversion/markers.h"
@@ -19,9 +20,11 @@ MapPublishers::MapPublishers(ros::NodeHandle& node, const std::string& map_frame
   map_ = node.advertise<nav_msgs::OccupancyGrid>("map", 1, kLatched);
   metadata_ = node.advertise<nav_msgs::MapMetaData>("map_metadata", 1, kLatched);
   probability_ = node.advertise<nav_msgs::OccupancyGrid>("map_probability", 1, kLatched);
+  wall_loss_ = node.advertise<nav_msgs::OccupancyGrid>("wall_loss", 1, kLatched);
   markers_ = node.advertise<visualization_msgs::MarkerArray>("markers", 1, kLatched);
   path_ = node.advertise<nav_msgs::Path>("path", 1, kLatched);
   access_points_ = node.advertise<structure_from_wifi::AccessPoints>("access_points", 1, kLatched);
+  walls_ = node.advertise<structure_from_wifi::Walls>("walls", 1, kLatched);
   const auto connected = [this](const ros::SingleSubscriberPublisher&) { octomap_due_ = true; };
   octomap_binary_ =
       node.advertise<octomap_msgs::Octomap>("octomap_binary", 1, connected, {}, {}, kLatched);
@@ -43,9 +46,13 @@ void MapPublishers::publish(const std::shared_ptr<const Snapshot>& snapshot,
   map_.publish(published->grid);
   metadata_.publish(published->grid.info);
   probability_.publish(toProbabilityGrid(snapshot->probability, header));
+  if (snapshot->tomography) {
+    wall_loss_.publish(toWallLossGrid(snapshot->tomography->wall_loss, header));
+  }
   path_.publish(toPath(*snapshot, header));
   markers_.publish(toMarkers(*snapshot, findings, header));
   access_points_.publish(toAccessPoints(*snapshot, findings, header));
+  walls_.publish(toWalls(*snapshot, header));
   octomap_due_ = true;
 }
 

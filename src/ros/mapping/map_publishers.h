@@ -50,8 +50,8 @@ class MapPublishers {
   mutable std::mutex mutex_;  // around last_
   std::shared_ptr<const PublishedMap> last_;
   std::atomic<bool> octomap_due_{false};  // set by roscpp's thread when a subscriber comes
-  ros::Publisher map_, metadata_, probability_, octomap_binary_, octomap_full_, markers_, path_,
-      access_points_;
+  ros::Publisher map_, metadata_, probability_, wall_loss_, octomap_binary_, octomap_full_,
+      markers_, path_, access_points_, walls_;
 };
 
 }  // namespace sfw
