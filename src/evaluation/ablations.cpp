@@ -43,24 +43,25 @@ AblationMetrics evaluateAblations(const EvaluationInput& input,
     setMap(*mapper.infer(), ablation);
     ablations.shifted_radio.push_back(evaluate(ablation).map);
   }
-  setBelief(mapperOf(readings, access_points, config).inferWithoutRadio()->belief, ablation);
+  const auto no_radio = mapperOf(readings, access_points, config).inferWithoutRadio();
+  setBelief(no_radio->belief, no_radio->probability, ablation);
   ablations.no_radio = evaluate(ablation).map;
   return ablations;
 }
 
-void setBelief(const BeliefMap& belief, EvaluationInput& input) {
+void setBelief(const BeliefMap& belief, const BeliefMap& probability, EvaluationInput& input) {
   const GridGeometry& geometry = belief.geometry();
   input.map = Grid<CellState>(geometry);
   input.probabilities = Grid<float>(geometry);
   input.wall_loss_db.reset();
   forEachCell(geometry, [&](Cell c) {
     input.map[c] = belief.state(c);
-    (*input.probabilities)[c] = belief.occupied(c);
+    (*input.probabilities)[c] = probability.occupied(c);
   });
 }
 
 void setMap(const Snapshot& snapshot, EvaluationInput& input) {
-  setBelief(snapshot.belief, input);
+  setBelief(snapshot.belief, snapshot.probability, input);
   if (snapshot.tomography) {
     input.wall_loss_db = snapshot.tomography->wall_loss;
   }

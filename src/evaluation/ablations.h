@@ -38,8 +38,8 @@ AblationMetrics evaluateAblations(const EvaluationInput& input,
                                   const std::vector<AccessPoint>& access_points,
                                   const Config& config);
 
-/// Sets the map and the probabilities of the input from a belief, and removes its wall losses.
-void setBelief(const BeliefMap& belief, EvaluationInput& input);
+/// Sets the map and the probabilities of the input on one grid, and removes its wall losses.
+void setBelief(const BeliefMap& belief, const BeliefMap& probability, EvaluationInput& input);
 
 /// Sets the map, the probabilities and the wall losses of the input from a snapshot.
 void setMap(const Snapshot& snapshot, EvaluationInput& input);

@@ -38,7 +38,8 @@ class Benchmark {
     setMap(*mapper.infer(), input_);
     add(method.name + ", " + method.shipped, evaluate(input_).map);
     if (method.maps_wall_counts) {
-      setBelief(inferred(mapper, trueCounts(), config), input_);
+      const BeliefMap belief = inferred(mapper, trueCounts(), config);
+      setBelief(belief, belief, input_);
       add(method.name + ", true k", evaluate(input_).map);
     }
     const AblationMetrics ablations =
@@ -50,7 +51,9 @@ class Benchmark {
   }
 
   void runReferences(const Config& config) {
-    setBelief(inferred(mapperOf(recording_.readings, access_points_, config), {}, config), input_);
+    const BeliefMap belief =
+        inferred(mapperOf(recording_.readings, access_points_, config), {}, config);
+    setBelief(belief, belief, input_);
     freeEveryRay();
     const Evaluation evaluation = evaluate(input_);
     add("every ray is free", evaluation.map);

@@ -63,7 +63,8 @@ TEST(Ablations, TheyAreTheMetricsOfAMapperWithTheShiftedReadings) {
   for (const Reading& reading : withShiftedRadio(readings, 3)) {
     mapper.insert(reading);
   }
-  setBelief(mapper.infer()->belief, input);
+  const auto snapshot = mapper.infer();
+  setBelief(snapshot->belief, snapshot->probability, input);
   EXPECT_EQ(ablations.shifted_radio[2].free.iou, evaluate(input).map.free.iou);
 }
 

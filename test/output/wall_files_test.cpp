@@ -32,8 +32,8 @@ const Rows kPicture{".....?..",  //
 Snapshot snapshotOf(const Rows& rows, const std::vector<WallSegment>& walls) {
   const auto probability = [](char c) { return c == '.' ? 0.1F : c == '#' ? 0.9F : 0.5F; };
   const Position origin(-0.8, 1.6);
-  Snapshot snapshot{
-      BeliefMap(test::gridFrom<float>(rows, 0.1, probability, origin), {}), {}, {}, {}};
+  const BeliefMap belief(test::gridFrom<float>(rows, 0.1, probability, origin), {});
+  Snapshot snapshot{belief, belief, {}, {}, {}};
   snapshot.walls = walls;
   return snapshot;
 }

@@ -24,7 +24,8 @@ std_msgs::Header header() {
 }
 
 Snapshot snapshotWith(const std::vector<WallSegment>& walls) {
-  Snapshot snapshot{BeliefMap(GridGeometry(0.1, {-5.0, 0.0}, 100, 50), {}), {}, {}, {}};
+  const BeliefMap belief(GridGeometry(0.1, {-5.0, 0.0}, 100, 50), {});
+  Snapshot snapshot{belief, belief, {}, {}, {}};
   snapshot.walls = walls;
   return snapshot;
 }
