@@ -38,7 +38,7 @@ TranslucentImage readPng(const std::string& file) {
     fail();
   }
   constexpr png_uint_32 kMaxSide = 1U << 18;
-  constexpr std::size_t kMaxPixels = std::size_t{1} << 28;
+  constexpr std::size_t kMaxPixels = std::size_t{1} << 26;
   const std::size_t count = std::size_t{png->width} * png->height;
   if (png->width > kMaxSide || png->height > kMaxSide || count > kMaxPixels) {
     throw InputError(file + ": the image is too large; scale it down");

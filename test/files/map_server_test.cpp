@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "files/png.h"
 #include "structure_from_wifi/input_error.h"
 #include "support/ascii_world.h"
 
@@ -97,6 +98,35 @@ TEST_F(MapServer, ProbabilitiesAreDarkness) {
   EXPECT_FLOAT_EQ((map[{0, 0}]), 0.0F);
   EXPECT_FLOAT_EQ((map[{1, 0}]), 0.8F);
   EXPECT_FLOAT_EQ((map[{2, 0}]), 1.0F);
+}
+
+/// An image of three columns.
+std::string png(const std::vector<std::uint8_t>& grey, const std::vector<std::uint8_t>& opacity) {
+  TranslucentImage image;
+  image.grey.width = 3;
+  image.grey.height = static_cast<std::int64_t>(grey.size()) / 3;
+  image.grey.pixels = grey;
+  image.opacity = opacity;
+  return encodePng(image);
+}
+
+TEST_F(MapServer, ReadsPng) {
+  const std::string yaml = "image: map.png\nresolution: 0.1\norigin: [0, 0, 0]\n";
+  // Top row: free, occupied, transparent. Bottom row: between, occupied, free.
+  write("map.png", png({254, 0, 0, 205, 1, 255}, {255, 255, 0, 255, 255, 255}));
+  EXPECT_EQ(rowsOf(readMap(file(yaml, ""))), (Rows{".#?",  //
+                                                   "?#."}));
+}
+
+TEST_F(MapServer, RefusesABrokenPng) {
+  const std::string yaml = "image: map.png\nresolution: 0.1\norigin: [0, 0, 0]\n";
+  const std::string whole = png({1, 2, 3}, {255, 255, 255});
+  for (const std::string& image :
+       {std::string(), std::string("P2 1 1 255 0"), whole.substr(0, 20), whole.substr(0, 50)}) {
+    write("map.png", image);
+    const std::string why = complaint(yaml, "");
+    EXPECT_NE(why.find("map.png"), std::string::npos) << image.size() << ": " << why;
+  }
 }
 
 TEST_F(MapServer, AnAbsoluteImagePathStandsForItself) {

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "files/map_server.h"
+#include "files/png.h"
 #include "output/report.h"
 #include "structure_from_wifi/access_points_io.h"
 #include "structure_from_wifi/mapper.h"
@@ -97,7 +98,7 @@ TEST_F(MapFiles, KeepProbabilitiesToAStepOfTheirRaster) {
     p = static_cast<float>(random() % 1001) / 1000.0F;
   }
   const BeliefMap belief(occupied, {});
-  write("probability.pgm", probabilityPgm(belief));
+  write("probability.png", probabilityPng(belief));
   const Grid<float> read_back =
       readProbabilities(write("probability.yaml", probabilityYaml(belief.geometry())));
   for (std::int64_t y = 0; y < 16; ++y) {
@@ -105,6 +106,18 @@ TEST_F(MapFiles, KeepProbabilitiesToAStepOfTheirRaster) {
       ASSERT_NEAR((read_back[{x, y}]), belief.occupied({x, y}), 0.5 / 255.0 + 1e-6);
     }
   }
+}
+
+TEST_F(MapFiles, KeepUnknownProbabilitiesTransparent) {
+  const BeliefMap belief = beliefOf({"#?.", "..?"});
+  write("probability.png", probabilityPng(belief));
+  const TranslucentImage image = readPng(path("probability.png"));
+  EXPECT_EQ(image.opacity, (std::vector<std::uint8_t>{255, 0, 255, 255, 255, 0}));
+  const Grid<float> read_back =
+      readProbabilities(write("probability.yaml", probabilityYaml(belief.geometry())));
+  EXPECT_EQ((read_back[{1, 1}]), 0.5F);
+  EXPECT_NEAR((read_back[{0, 1}]), 0.9, 0.01);
+  EXPECT_NEAR((read_back[{2, 1}]), 0.1, 0.01);
 }
 
 // ---- Tables ----

@@ -47,8 +47,7 @@ Scene sceneOf(const Rows& rows) {
 }
 
 /// The walls as '#', all else as '.'.
-Rows wallsIn(const Rows& rows, const StripWallConfig& settings = config()) {
-  const Scene scene = sceneOf(rows);
+Rows drawn(const Scene& scene, const StripWallConfig& settings) {
   Mask walls(scene.footprint.geometry);
   for (const StripWall& wall :
        findStripWalls(scene.footprint, scene.density, scene.free, settings).walls) {
@@ -57,6 +56,10 @@ Rows wallsIn(const Rows& rows, const StripWallConfig& settings = config()) {
     }
   }
   return rowsOf(walls, [](std::uint8_t wall) { return wall != 0 ? '#' : '.'; });
+}
+
+Rows wallsIn(const Rows& rows, const StripWallConfig& settings = config()) {
+  return drawn(sceneOf(rows), settings);
 }
 
 Rows transposed(const Rows& rows) {
@@ -118,8 +121,70 @@ TEST(StripWalls, ADoorStaysOpenWhereTheRobotWentThrough) {
   }
 }
 
-TEST(StripWalls, FindsNothingWithoutTwoPasses) {
+// ---- Walls beyond the outermost passes ----
+
+/// One pass; free cells to its right ('.'), then cells that are not believed to be free.
+const Rows kOuter{"o..#242#",  //
+                  "o..#242#",  //
+                  "o..#242#",  //
+                  "o..#242#",  //
+                  "o..#242#"};
+
+/// As sceneOf, but cells with a density are not believed to be free.
+Rows outerWallsIn(const Rows& rows, const StripWallConfig& settings = config()) {
+  Scene scene = sceneOf(rows);
+  for (std::size_t i = 0; i < scene.free.cells.size(); ++i) {
+    scene.free.cells[i] = scene.density.cells[i] > 0.0F ? 0 : scene.free.cells[i];
+  }
+  return drawn(scene, settings);
+}
+
+TEST(OuterWalls, StandAtTheLikeliestPlaceBeyondTheLastPass) {
+  EXPECT_EQ(outerWallsIn(kOuter), Rows(5, ".....#.."));
+  EXPECT_EQ(outerWallsIn(transposed(kOuter)), transposed(Rows(5, ".....#..")));
+}
+
+TEST(OuterWalls, AreNotSearchedFarFromThePass) {
+  StripWallConfig settings = config();
+  settings.beyond_m = 0.5;  // the first two cells with a density have 0.6 expected walls
+  EXPECT_EQ(outerWallsIn(kOuter, settings), Rows(5, "........"));
+}
+
+TEST(OuterWalls, LeaveFreeCellsFree) {
+  // All cells are believed to be free.
   EXPECT_EQ(wallsIn(Rows(7, "o.2421..")), Rows(7, "........"));
+}
+
+TEST(OuterWalls, StandOnBothSidesOfAGapThatIsTooWideForAStrip) {
+  StripWallConfig settings = config();
+  settings.widest_m = 0.6;
+  settings.beyond_m = 0.3;
+  EXPECT_EQ(outerWallsIn(Rows(5, "o.8.....8.o"), settings), Rows(5, "..#.....#.."));
+}
+
+// ---- Strips without a wall ----
+
+Rows openIn(const Rows& rows) {
+  const Scene scene = sceneOf(rows);
+  return rowsOf(findStripWalls(scene.footprint, scene.density, scene.free, config()).open,
+                [](std::uint8_t open) { return open != 0 ? '+' : '.'; });
+}
+
+TEST(OpenStrips, HaveFewExpectedWalls) {
+  EXPECT_EQ(openIn(Rows(5, "o.12..o")), Rows(5, ".+++++."));  // 0.3 expected walls
+  EXPECT_EQ(openIn(Rows(5, "o.22..o")), Rows(5, "......."));  // 0.4: neither open nor closed
+}
+
+TEST(OpenStrips, LieBetweenTwoPasses) { EXPECT_EQ(openIn(Rows(5, "o.1....")), Rows(5, ".......")); }
+
+TEST(OpenStrips, AreNotClosedAlongTheOtherAxis) {
+  // The columns are open; each row has 0.9 expected walls.
+  Rows rows = {"oooooooo"};
+  rows.insert(rows.end(), kStrip.begin(), kStrip.begin() + 5);
+  rows.emplace_back("oooooooo");
+  for (const std::string& row : openIn(rows)) {
+    EXPECT_EQ(row, "........");
+  }
 }
 
 }  // namespace
