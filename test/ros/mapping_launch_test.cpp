@@ -128,6 +128,7 @@ TEST_F(Mapping, TheOctomapTopicsHoldTheMap) {
 }
 
 TEST_F(Mapping, TheOctomapServicesHoldTheMap) {
+  waitUntilQuiet();  // the services answer with the newest map
   octomap_msgs::GetOctomap binary, full;
   ASSERT_TRUE(ros::service::call("octomap_binary", binary));
   ASSERT_TRUE(ros::service::call("octomap_full", full));
