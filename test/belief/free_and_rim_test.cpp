@@ -31,10 +31,16 @@ float probability(char c) {
 
 Grid<float> probabilities(const Rows& rows) { return gridFrom<float>(rows, 1.0, probability); }
 
+Config::Belief occupiedRim() {
+  Config::Belief config;
+  config.rim = "occupied";
+  return config;
+}
+
 /// The map of some probabilities: '.' free, '#' occupied, '?' unknown.
 /// @param walls  as '#'; empty: none
 Rows labelled(const Rows& rows, const Cell& path_cell, const Rows& walls = {},
-              const Config::Belief& config = {}) {
+              const Config::Belief& config = occupiedRim()) {
   Grid<float> occupied = probabilities(rows);
   Mask path(occupied.geometry);
   path[path_cell] = 1;
@@ -181,7 +187,7 @@ TEST(FreeAndRim, KeepsProbabilitiesAwayFromTheThresholds) {
   occupied.cells = {0.01F, 0.199F, 0.21F, 0.9F, 0.21F, 0.64F, 0.4F};
   Mask path(occupied.geometry);
   path.cells[0] = 1;
-  labelFreeAndRim(path, Mask(occupied.geometry), Config::Belief(), occupied);
+  labelFreeAndRim(path, Mask(occupied.geometry), occupiedRim(), occupied);
   expectTable(occupied, {{0.01, 0.185, 0.67, 0.63, 0.22, 0.63, 0.4}});
 }
 
@@ -190,7 +196,7 @@ TEST(FreeAndRim, KeepsALikelyRimAsItIs) {
   occupied.cells = {0.01F, 0.9F, 0.4F};
   Mask path(occupied.geometry);
   path.cells[0] = 1;
-  labelFreeAndRim(path, Mask(occupied.geometry), Config::Belief(), occupied);
+  labelFreeAndRim(path, Mask(occupied.geometry), occupiedRim(), occupied);
   expectTable(occupied, {{0.01, 0.9, 0.4}});
 }
 

@@ -113,10 +113,10 @@ class PoseAstray(CommandLine):
         table = self.write("table.yaml",
                            "access_points:\n  - {bssid: \"%s\", x: 1, y: 1}\n" % NEAR)
         config = self.write("config.yaml",
-                            "map: {max_cells: 3000, growth_step: 0.5, margin: 0.1}")
+                            "map: {max_cells: 1200, growth_step: 0.5, margin: 0.1}")
         readings = self.write("path.csv", "\n".join(path))
         self.bad(self.map("--config", config, readings=readings, access_points=table),
-                 "map/max_cells (3000)", "stray poses")
+                 "map/max_cells (1200)", "stray poses")
 
 
 class BadConfig(CommandLine):
