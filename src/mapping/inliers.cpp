@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/erase_if.h"
+#include "grid/segment.h"
 #include "path/stray_poses.h"
 
 namespace sfw {
@@ -132,6 +133,21 @@ std::vector<AccessPointReadings> byAccessPoint(const std::vector<Reading>& readi
 }
 
 }  // namespace
+
+void removeDrivenOver(const std::vector<PathPose>& path, double within_m, double max_gap_m,
+                      std::vector<Contact>& contacts) {
+  eraseIf(contacts, [&](const Contact& contact) {
+    for (std::size_t i = path.size(); i > 1 && path[i - 2].stamp_ns > contact.stamp_ns; --i) {
+      const Position& from = path[i - 2].antenna_in_map;
+      const Position& to = path[i - 1].antenna_in_map;
+      if ((to - from).norm() <= max_gap_m &&
+          distanceToSegment(contact.point_in_map, from, to) <= within_m) {
+        return true;
+      }
+    }
+    return false;
+  });
+}
 
 std::vector<Position> positionsOf(const std::vector<PathPose>& path) {
   std::vector<Position> positions;

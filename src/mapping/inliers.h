@@ -33,6 +33,14 @@ struct Inliers {
 Inliers withoutStrayPoses(std::vector<Reading> sorted, std::vector<Contact> contacts,
                           const std::map<Bssid, std::size_t>& index_of);
 
+/// Removes the contacts over which the robot drove later: nothing stands there any more.
+/// @param path       in the order driven
+/// @param within_m   distance of the antenna to a contact that it drives over
+/// @param max_gap_m  longer steps of the path were not driven straight
+/// O(contacts x poses).
+void removeDrivenOver(const std::vector<PathPose>& path, double within_m, double max_gap_m,
+                      std::vector<Contact>& contacts);
+
 /// The antenna positions of a path [m], map frame, in its order.
 std::vector<Position> positionsOf(const std::vector<PathPose>& path);
 

@@ -55,5 +55,32 @@ TEST(Inliers, KeepTheStrongestReadingOfARadioAtAStamp) {
   EXPECT_EQ(inliers.path.size(), 1U);
 }
 
+// ---- Contacts that the robot drove over ----
+
+/// A drive along x = 0..2 m, a pose each second.
+const std::vector<PathPose> kDrive{{0, {0.0, 0.0}, 0},
+                                   {1'000'000'000, {1.0, 0.0}, 0},
+                                   {2'000'000'000, {2.0, 0.0}, 0}};
+
+std::size_t keptOf(const Contact& contact, double max_gap_m = 1.5) {
+  std::vector<Contact> contacts{contact};
+  removeDrivenOver(kDrive, 0.1, max_gap_m, contacts);
+  return contacts.size();
+}
+
+TEST(ContactsDrivenOver, AreRemoved) {
+  EXPECT_EQ(keptOf({500'000'000, {1.5, 0.05}}), 0U);  // between two later poses
+}
+
+TEST(ContactsDrivenOver, StayBesideThePath) { EXPECT_EQ(keptOf({500'000'000, {1.5, 0.15}}), 1U); }
+
+TEST(ContactsDrivenOver, StayWhereTheRobotDroveBefore) {
+  EXPECT_EQ(keptOf({1'500'000'000, {0.5, 0.0}}), 1U);
+}
+
+TEST(ContactsDrivenOver, StayInGapsOfThePath) {
+  EXPECT_EQ(keptOf({500'000'000, {1.5, 0.0}}, 0.8), 1U);
+}
+
 }  // namespace
 }  // namespace sfw
