@@ -230,17 +230,23 @@ TEST(Tomography, MapsThePathWhenNoAccessPointIsKnown) {
   EXPECT_EQ(snapshot->rejections.unknown_access_points.at(numberedBssid(9)), 60U);
 }
 
-TEST(Tomography, KeepsWhatTheRobotTouchedOccupied) {
+TEST(Tomography, KeepsWhatTheRobotTouchedOccupiedUntilItDrivesOverIt) {
   const World world = flat(noiseLevel("moderate"), 11);
   Mapper mapper(Config(), world.access_points);
   for (const Reading& reading : world.readings) {
     mapper.insert(reading);
   }
-  const Position touched = world.readings[world.readings.size() / 2].antenna_in_map;
-  mapper.insert(Contact{0, touched});
+  const Reading& first = world.readings.front();
+  const Position touched_first = world.readings[world.readings.size() / 2].antenna_in_map;
+  const Position touched_last = world.readings[world.readings.size() / 3].antenna_in_map;
+  mapper.insert(Contact{first.stamp_ns, touched_first});
+  mapper.insert(Contact{world.readings.back().stamp_ns, touched_last});
   const auto snapshot = mapper.infer();
-  EXPECT_EQ(snapshot->belief.state(snapshot->belief.geometry().cellAt(touched)),
-            CellState::kOccupied);
+  const auto stateAt = [&](const Position& position) {
+    return snapshot->belief.state(snapshot->belief.geometry().cellAt(position));
+  };
+  EXPECT_EQ(stateAt(touched_first), CellState::kFree);
+  EXPECT_EQ(stateAt(touched_last), CellState::kOccupied);
 }
 
 // ---- Calibration: drives never used for the shipped model ----
