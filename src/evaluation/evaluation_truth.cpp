@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "evaluation/samples.h"
 #include "grid/distance_transform.h"
 #include "grid/morphology.h"
 #include "grid/ray.h"
@@ -125,13 +126,6 @@ Mask drawRays(const GridGeometry& lattice, const std::vector<Position>& path,
 }
 
 }  // namespace
-
-Mask cellsOfState(const Grid<CellState>& grid, CellState state) {
-  Mask mask(grid.geometry);
-  std::transform(grid.cells.begin(), grid.cells.end(), mask.cells.begin(),
-                 [state](CellState s) { return static_cast<std::uint8_t>(s == state); });
-  return mask;
-}
 
 EvaluationTruth makeEvaluationTruth(const Grid<CellState>& truth, const std::vector<Position>& path,
                                     const std::vector<Position>& access_points) {

@@ -197,7 +197,9 @@ class GoodInput(CommandLine):
         self.assertEqual(metrics["map"]["free_iou"], 1.0)
         table = self.good(self.sfw("evaluate", "--map", self.output / "map.yaml", "--truth",
                                    self.output / "map.yaml", "--readings", self.readings)).stdout
-        self.assertIn("path only", table)
+        self.assertRegex(table, "knows the wall: F1 +[0-9.]+ ")
+        self.assertNotIn("free: precision", table)
+        self.assertIn("--all", table)
 
     def test_files_are_as_readable_as_the_umask_says(self):
         self.good(self.map())
