@@ -21,33 +21,37 @@ double lengthOf(Cell step) {
 
 }  // namespace
 
-CheapestWays::CheapestWays(const Grid<double>& cost_of_cell, Cell start,
-                           const std::vector<Cell>& goals)
-    : cost_(cost_of_cell.geometry, kInfinity), arrived_by_(cost_of_cell.geometry) {
-  if (cost_of_cell[start] > 0.0) {
-    search(cost_of_cell, start, goals);
-  }
-}
+CheapestWays::CheapestWays(const Grid<double>& cost_of_cell)
+    : cost_of_cell_(cost_of_cell),
+      cost_(cost_of_cell.geometry, kInfinity),
+      arrived_by_(cost_of_cell.geometry) {}
 
-void CheapestWays::search(const Grid<double>& cost_of_cell, Cell start,
-                          const std::vector<Cell>& goals) {
-  std::vector<Cell> missing = goals;
+void CheapestWays::search(Cell start, std::vector<Cell> goals) {
+  for (const Cell c : touched_) {
+    cost_[c] = kInfinity;
+  }
+  touched_.clear();
+  if (!(cost_of_cell_[start] > 0.0)) {
+    return;
+  }
   Dijkstra<double> open(cost_);
   open.lower(start, 0.0);
-  while (!missing.empty()) {
+  touched_.push_back(start);
+  while (!goals.empty()) {
     const std::optional<Cell> settled = open.settle();
     if (!settled) {
       return;
     }
-    missing.erase(std::remove(missing.begin(), missing.end(), *settled), missing.end());
+    goals.erase(std::remove(goals.begin(), goals.end(), *settled), goals.end());
     for (std::size_t i = 0; i < kSteps.size(); ++i) {
       const Cell next{settled->x + kSteps[i].x, settled->y + kSteps[i].y};
-      if (!cost_.geometry.contains(next) || !(cost_of_cell[next] > 0.0)) {
+      if (!cost_.geometry.contains(next) || !(cost_of_cell_[next] > 0.0)) {
         continue;
       }
-      const double mean = 0.5 * (cost_of_cell[*settled] + cost_of_cell[next]);
+      const double mean = 0.5 * (cost_of_cell_[*settled] + cost_of_cell_[next]);
       if (open.lower(next, cost_[*settled] + mean * lengthOf(kSteps[i]))) {
         arrived_by_[next] = static_cast<std::uint8_t>(i);
+        touched_.push_back(next);
       }
     }
   }

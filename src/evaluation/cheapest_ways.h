@@ -8,29 +8,30 @@
 
 namespace sfw {
 
-/// The cheapest ways from a cell to others, over the edges and corners of cells.
+/// Finds the cheapest ways from a cell to others, over the edges and corners of cells.
 ///
 /// A step costs its length [cells] times the mean of both cells' costs. Of ways of equal cost one
-/// is chosen deterministically. The search ends when it has reached all goals.
-/// O(cells reached log cells reached).
+/// is chosen deterministically. A search ends when it has reached all goals. It reuses memory
+/// between searches. Not thread-safe.
 class CheapestWays {
  public:
-  /// @param cost_of_cell  for each cell of the grid; nothing enters a cell whose cost is not
-  /// positive
-  /// @param start,goals   cells of the grid
-  CheapestWays(const Grid<double>& cost_of_cell, Cell start, const std::vector<Cell>& goals);
+  /// @param cost_of_cell  nothing enters a cell whose cost is not positive; must outlive this
+  explicit CheapestWays(const Grid<double>& cost_of_cell);
 
-  /// The cost of the way to a goal; nothing if there is no way.
+  /// Searches from a cell of the grid to others. O(cells reached log cells reached).
+  void search(Cell start, std::vector<Cell> goals);
+
+  /// The cost of the way to a goal of the last search; nothing if there is no way.
   std::optional<double> costTo(Cell goal) const;
 
-  /// The cells of the way to a goal, from the start on; empty if there is no way.
+  /// The cells of the way to a goal of the last search, from the start on; empty if there is none.
   std::vector<Cell> to(Cell goal) const;
 
  private:
-  void search(const Grid<double>& cost_of_cell, Cell start, const std::vector<Cell>& goals);
-
-  Grid<double> cost_;
+  const Grid<double>& cost_of_cell_;
+  Grid<double> cost_;              // infinity where no search has been since the last reset
   Grid<std::uint8_t> arrived_by_;  // index of the last step to a cell
+  std::vector<Cell> touched_;
 };
 
 /// The length of a way [cells].

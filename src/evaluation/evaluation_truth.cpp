@@ -33,16 +33,6 @@ GridGeometry latticeOf(const GridGeometry& truth) {
           static_cast<std::int64_t>(height)};
 }
 
-/// @throw std::invalid_argument if a position cannot lie in a building.
-void requireUsable(const std::vector<Position>& positions, const char* name) {
-  constexpr double kFar = 1e6;  // metres
-  for (const Position& position : positions) {
-    if (!(position.array().abs() <= kFar).all()) {
-      throw std::invalid_argument(std::string(name) + " must be finite and below 1000 km");
-    }
-  }
-}
-
 std::vector<Position> withoutRepeats(std::vector<Position> path) {
   path.erase(std::unique(path.begin(), path.end()), path.end());
   return path;
@@ -126,6 +116,15 @@ Mask drawRays(const GridGeometry& lattice, const std::vector<Position>& path,
 }
 
 }  // namespace
+
+void requireUsable(const std::vector<Position>& positions, const char* name) {
+  constexpr double kFar = 1e6;  // metres
+  for (const Position& position : positions) {
+    if (!(position.array().abs() <= kFar).all()) {
+      throw std::invalid_argument(std::string(name) + " must be finite and below 1000 km");
+    }
+  }
+}
 
 EvaluationTruth makeEvaluationTruth(const Grid<CellState>& truth, const std::vector<Position>& path,
                                     const std::vector<Position>& access_points) {

@@ -23,6 +23,9 @@ struct EvaluationTruth {
   std::optional<Mask> observed;  ///< cells on a ray; absent without access points
 };
 
+/// @throw std::invalid_argument naming the positions if one of them cannot lie in a building.
+void requireUsable(const std::vector<Position>& positions, const char* name);
+
 /// @throw as evaluate().
 EvaluationTruth makeEvaluationTruth(const Grid<CellState>& truth, const std::vector<Position>& path,
                                     const std::vector<Position>& access_points);

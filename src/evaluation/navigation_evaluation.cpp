@@ -1,10 +1,23 @@
 #include "evaluation/navigation_evaluation.h"
 
+#include "evaluation/evaluation_truth.h"
+
 namespace sfw {
+
+namespace {
+
+const std::vector<Position>& usable(const std::vector<Position>& path,
+                                    const Grid<CellState>& truth) {
+  requireUsable(path, "path");
+  requireUsable({truth.geometry.origin()}, "the truth's origin");
+  return path;
+}
+
+}  // namespace
 
 NavigationEvaluation::NavigationEvaluation(const Grid<CellState>& truth,
                                            const std::vector<Position>& path, std::size_t starts)
-    : pairs_(truth, path), routes_(truth, drawRoutes(truth, path, starts)) {}
+    : pairs_(truth, usable(path, truth)), routes_(truth, drawRoutes(truth, path, starts)) {}
 
 NavigationMetrics NavigationEvaluation::metricsOf(
     const Grid<CellState>& map, const std::optional<Grid<float>>& probabilities) const {

@@ -1,7 +1,9 @@
 #include "evaluation/route_evaluation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "base/random.h"
 #include "base/random_streams.h"
@@ -20,7 +22,7 @@ constexpr double kMove = 0.5;           // [m] of an end that cannot be entered
 constexpr double kLongDetour = 1.0;     // [m]
 constexpr double kScratch = 1.0;        // [m] around a wall that was not crossed
 constexpr double kScratchMargin = 1.5;  // [m] around the places where a plan leaves and returns
-constexpr std::size_t kRoutesOfStart = 10;
+constexpr std::size_t kRoutesOfStart = 5;
 constexpr int kTries = 1000;  // to draw a place far enough away
 
 double distanceBetween(Cell a, Cell b) {
@@ -111,6 +113,7 @@ std::optional<Cell> nearestPassable(const Grid<double>& costs, Cell to) {
 std::vector<std::vector<Cell>> plansFor(const std::vector<RouteEnds>& routes,
                                         const Grid<double>& costs) {
   std::vector<std::vector<Cell>> plans(routes.size());
+  CheapestWays ways(costs);
   for (std::size_t begin = 0, end = 0; begin < routes.size(); begin = end) {
     std::vector<std::optional<Cell>> goals;
     std::vector<Cell> reachable;
@@ -124,7 +127,7 @@ std::vector<std::vector<Cell>> plansFor(const std::vector<RouteEnds>& routes,
     if (!start) {
       continue;
     }
-    const CheapestWays ways(costs, *start, reachable);
+    ways.search(*start, reachable);
     for (std::size_t i = begin; i < end; ++i) {
       plans[i] = goals[i - begin] ? ways.to(*goals[i - begin]) : std::vector<Cell>();
     }
@@ -182,23 +185,25 @@ RouteMetrics RouteEvaluation::metricsOf(const Grid<CellState>& map) const {
   const std::vector<std::vector<Cell>> plans = plansFor(
       routes_,
       costsFor(cellsOfState(states, CellState::kFree), cellsOfState(states, CellState::kOccupied)));
-  const double share = 1.0 / static_cast<double>(routes_.size());
   const double long_detour = kLongDetour / free_.geometry.resolution();
-  RouteMetrics metrics;
+  std::array<int, 3> outcomes{};  // how many of each
   std::vector<double> detours;
-  double long_ones = 0.0;
+  int long_detours = 0;
   for (std::size_t i = 0; i < plans.size(); ++i) {
     const Outcome outcome = follow(plans[i]);
-    metrics.no_plan += outcome == Outcome::kNoPlan ? share : 0.0;
-    metrics.through_walls += outcome == Outcome::kThroughWall ? share : 0.0;
-    metrics.reached += outcome == Outcome::kReached ? share : 0.0;
+    ++outcomes.at(static_cast<std::size_t>(outcome));
     if (outcome == Outcome::kReached && shortest_[i] > 0.0) {
       detours.push_back(lengthOf(plans[i]) / shortest_[i]);
-      long_ones += lengthOf(plans[i]) - shortest_[i] > long_detour ? 1.0 : 0.0;
+      long_detours += lengthOf(plans[i]) - shortest_[i] > long_detour ? 1 : 0;
     }
   }
+  const auto share_of = [&](Outcome outcome) {
+    return outcomes.at(static_cast<std::size_t>(outcome)) / static_cast<double>(plans.size());
+  };
+  RouteMetrics metrics{share_of(Outcome::kNoPlan), share_of(Outcome::kThroughWall),
+                       share_of(Outcome::kReached), std::nullopt, std::nullopt};
   if (!detours.empty()) {
-    metrics.detours_over_1m = long_ones / static_cast<double>(detours.size());
+    metrics.detours_over_1m = long_detours / static_cast<double>(detours.size());
     metrics.detour_median = median(std::move(detours));
   }
   return metrics;
@@ -243,8 +248,9 @@ bool RouteEvaluation::connectedNearby(Cell from, Cell to) const {
     window[c] = free_[{c.x + low.x, c.y + low.y}] != 0 ? 1.0 : 0.0;
   });
   const Cell goal{to.x - low.x, to.y - low.y};
-  const std::optional<double> length =
-      CheapestWays(window, {from.x - low.x, from.y - low.y}, {goal}).costTo(goal);
+  CheapestWays ways(window);
+  ways.search({from.x - low.x, from.y - low.y}, {goal});
+  const std::optional<double> length = ways.costTo(goal);
   return length && *length <= straight + kScratch / whole.resolution();
 }
 

@@ -29,7 +29,7 @@ struct RouteEnds {
 ///
 /// A place is a free cell farther than the radius and a cell from all other cells. Places belong to
 /// the largest part of such cells, connected over edges, and lie within 2 m of the path.
-/// Starts are spread evenly over the places. From each start, ten routes lead to places over 2 m
+/// Starts are spread evenly over the places. From each start, five routes lead to places over 2 m
 /// away. All are drawn by a fixed seed.
 ///
 /// @param path  positions [m], finite and below 1000 km

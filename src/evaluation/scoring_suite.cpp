@@ -28,7 +28,7 @@ class Benchmark {
         input_.path.push_back(reading.antenna_in_map);
       }
     }
-    constexpr std::size_t kStarts = 20;  // tables average over drives, so few routes do
+    constexpr std::size_t kStarts = 40;  // tables average over drives, so few routes do
     input_.navigation =
         std::make_shared<const NavigationEvaluation>(input_.truth, input_.path, kStarts);
     for (const AccessPoint& access_point : access_points_) {

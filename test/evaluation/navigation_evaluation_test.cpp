@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
+#include <stdexcept>
 
 #include "evaluation/evaluation.h"
 #include "support/two_rooms.h"
@@ -48,6 +50,11 @@ TEST(NavigationEvaluation, OfOnePlaceHasNoMetrics) {
   const NavigationEvaluation one(twoRooms(), {{50.0, 50.0}});
   EXPECT_FALSE(one.metricsOf(twoRooms(), std::nullopt).walls);
   EXPECT_FALSE(one.metricsOf(twoRooms(), std::nullopt).routes);
+}
+
+TEST(NavigationEvaluation, RefusesNonsensePositions) {
+  EXPECT_THROW(NavigationEvaluation(twoRooms(), {{0.0, 1e300}}), std::invalid_argument);
+  EXPECT_THROW(NavigationEvaluation(twoRooms(), {{std::nan(""), 1.0}}), std::invalid_argument);
 }
 
 TEST(NavigationEvaluation, GapsOfThePathDoNotMatter) {

@@ -86,7 +86,7 @@ TEST(RouteEvaluation, AWallThatIsNotThereMakesADetour) {
 
 TEST(DrawRoutes, LeadToRoomsBehindDoors) {
   const Grid<CellState> truth = twoRooms();
-  const std::vector<RouteEnds> routes = drawRoutes(truth, {{0.8, 1.0}}, 20);
+  const std::vector<RouteEnds> routes = drawRoutes(truth, {{0.8, 1.0}}, 50);
   ASSERT_GT(routes.size(), 100U);
   bool into_other_room = false;
   for (const RouteEnds& route : routes) {
@@ -97,21 +97,22 @@ TEST(DrawRoutes, LeadToRoomsBehindDoors) {
     into_other_room |= (route.from.x < 16) != (route.to.x < 16);
   }
   EXPECT_TRUE(into_other_room);
-  EXPECT_EQ(drawRoutes(truth, {{0.8, 1.0}}, 20).front().to, routes.front().to);
+  EXPECT_EQ(drawRoutes(truth, {{0.8, 1.0}}, 50).front().to, routes.front().to);
 }
 
 TEST(DrawRoutes, AreNoneWithoutRoomForThem) {
-  EXPECT_TRUE(drawRoutes(twoRooms(), {{50.0, 50.0}}, 20).empty());
-  EXPECT_TRUE(drawRoutes(twoRooms(), {}, 20).empty());
-  EXPECT_TRUE(drawRoutes(Grid<CellState>(twoRooms().geometry), {{0.8, 1.0}}, 20).empty());
+  EXPECT_TRUE(drawRoutes(twoRooms(), {{50.0, 50.0}}, 50).empty());
+  EXPECT_TRUE(drawRoutes(twoRooms(), {}, 50).empty());
+  EXPECT_TRUE(drawRoutes(Grid<CellState>(twoRooms().geometry), {{0.8, 1.0}}, 50).empty());
   const Grid<CellState> closet(GridGeometry(0.1, Position::Zero(), 12, 12), CellState::kFree);
-  EXPECT_TRUE(drawRoutes(closet, {{0.6, 0.6}}, 20).empty());
+  EXPECT_TRUE(drawRoutes(closet, {{0.6, 0.6}}, 50).empty());
 }
 
 TEST(CheapestWays, StepsCostTheMeanOfBothCells) {
   Grid<double> costs(GridGeometry(1.0, Position::Zero(), 3, 2), 1.0);
   costs[{1, 0}] = costs[{1, 1}] = 5.0;
-  const CheapestWays ways(costs, {0, 0}, {{2, 0}, {0, 1}});
+  CheapestWays ways(costs);
+  ways.search({0, 0}, {{2, 0}, {0, 1}});
   EXPECT_DOUBLE_EQ(ways.costTo({2, 0}).value(), 6.0);
   EXPECT_DOUBLE_EQ(ways.costTo({0, 1}).value(), 1.0);
   EXPECT_EQ(ways.to({2, 0}), (std::vector<Cell>{{0, 0}, {1, 0}, {2, 0}}));
@@ -121,13 +122,22 @@ TEST(CheapestWays, GoAroundWhatCannotBeEntered) {
   Grid<double> costs(GridGeometry(1.0, Position::Zero(), 3, 3), 1.0);
   costs[{1, 0}] = 0.0;
   costs[{1, 1}] = -1.0;
-  const CheapestWays around(costs, {0, 0}, {{2, 0}});
-  EXPECT_DOUBLE_EQ(around.costTo({2, 0}).value(), 2.0 + 2.0 * std::sqrt(2.0));
-  EXPECT_DOUBLE_EQ(lengthOf(around.to({2, 0})), 2.0 + 2.0 * std::sqrt(2.0));
-  costs[{1, 2}] = 0.0;
-  EXPECT_FALSE(CheapestWays(costs, {0, 0}, {{2, 0}}).costTo({2, 0}));
-  EXPECT_TRUE(CheapestWays(costs, {0, 0}, {{2, 0}}).to({2, 0}).empty());
-  EXPECT_FALSE(CheapestWays(costs, {1, 0}, {{0, 0}}).costTo({0, 0}));  // it cannot start
+  CheapestWays ways(costs);
+  ways.search({0, 0}, {{2, 0}});
+  EXPECT_DOUBLE_EQ(ways.costTo({2, 0}).value(), 2.0 + 2.0 * std::sqrt(2.0));
+  EXPECT_DOUBLE_EQ(lengthOf(ways.to({2, 0})), 2.0 + 2.0 * std::sqrt(2.0));
+}
+
+TEST(CheapestWays, ForgetTheLastSearch) {
+  Grid<double> costs(GridGeometry(1.0, Position::Zero(), 3, 1), 1.0);
+  CheapestWays ways(costs);
+  ways.search({0, 0}, {{2, 0}});
+  costs[{1, 0}] = 0.0;
+  ways.search({0, 0}, {{2, 0}});
+  EXPECT_FALSE(ways.costTo({2, 0}));
+  EXPECT_TRUE(ways.to({2, 0}).empty());
+  ways.search({1, 0}, {{0, 0}});  // it cannot start
+  EXPECT_FALSE(ways.costTo({0, 0}));
 }
 
 }  // namespace
