@@ -22,7 +22,9 @@ enum class Purpose : std::uint64_t {
   kMisses,
   kLeftOutBins,  // of an inference, not of a simulation
   kTrainingDrive,
-  kTrainingCells
+  kTrainingCells,
+  kEvaluatedPlaces,
+  kEvaluatedRoutes
 };
 
 /// The stream of random numbers for a purpose.

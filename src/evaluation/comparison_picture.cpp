@@ -1,6 +1,7 @@
 #include "evaluation/comparison_picture.h"
 
 #include "evaluation/evaluation_truth.h"
+#include "evaluation/samples.h"
 #include "files/canvas.h"
 #include "grid/distance_transform.h"
 #include "grid/for_each_cell.h"

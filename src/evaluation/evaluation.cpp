@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "evaluation/area_under_curve.h"
 #include "evaluation/evaluation_truth.h"
+#include "evaluation/samples.h"
 #include "grid/distance_transform.h"
 #include "grid/morphology.h"
 
@@ -100,16 +102,11 @@ MapMetrics metricsOfFree(const Mask& called_free, const EvaluationTruth& truth) 
 }
 
 /// Probabilities of the compared cells, by their true state.
-struct RatedCells {
-  std::vector<double> free;
-  std::vector<double> wall;
-};
-
-RatedCells rate(const Grid<float>& probabilities, const Grid<CellState>& map,
-                const EvaluationTruth& truth) {
+Ratings rate(const Grid<float>& probabilities, const Grid<CellState>& map,
+             const EvaluationTruth& truth) {
   constexpr float kUndecided = 0.5F;
   const Grid<float> samples = sampled(probabilities, truth.lattice(), kUndecided);
-  RatedCells rated;
+  Ratings rated;
   for (std::size_t i = 0; i < samples.cells.size(); ++i) {
     const float p = samples.cells[i];
     const double valid = p >= 0.0F && p <= 1.0F ? p : kUndecided;
@@ -125,21 +122,7 @@ RatedCells rate(const Grid<float>& probabilities, const Grid<CellState>& map,
   return rated;
 }
 
-/// Mann and Whitney's statistic over all pairs. Sorts its input.
-std::optional<double> areaUnderCurve(RatedCells& rated) {
-  if (rated.free.empty() || rated.wall.empty()) {
-    return std::nullopt;
-  }
-  std::sort(rated.free.begin(), rated.free.end());
-  double won = 0.0;
-  for (const double p : rated.wall) {
-    const auto [below, above] = std::equal_range(rated.free.begin(), rated.free.end(), p);
-    won += 0.5 * static_cast<double>((below - rated.free.begin()) + (above - rated.free.begin()));
-  }
-  return won / static_cast<double>(rated.wall.size()) / static_cast<double>(rated.free.size());
-}
-
-ProbabilityMetrics probabilityMetrics(RatedCells rated) {
+ProbabilityMetrics probabilityMetrics(const Ratings& rated) {
   ProbabilityMetrics metrics;
   metrics.cells = rated.free.size() + rated.wall.size();
   metrics.auc = areaUnderCurve(rated);
@@ -210,8 +193,8 @@ std::optional<double> radioWallF1(const Mask& called, const EvaluationTruth& tru
 RadioMetrics radioMetrics(const Grid<float>& wall_loss, const EvaluationTruth& truth) {
   const Grid<float> losses = sampled(wall_loss, truth.lattice(), 0.0F);
   const Grid<double> from_path = distanceTransform(truth.path);
-  RatedCells all;
-  RatedCells off_path;
+  Ratings all;
+  Ratings off_path;
   for (std::size_t i = 0; i < losses.cells.size(); ++i) {
     const bool wall = truth.walls.cells[i] != 0;
     if (truth.observed->cells[i] == 0 || (!wall && truth.region.cells[i] == 0)) {
@@ -244,10 +227,21 @@ MapMetrics metricsOfMap(const EvaluationInput& input, const EvaluationTruth& tru
   if (input.probabilities) {
     metrics.probability = probabilityMetrics(rate(*input.probabilities, map, truth));
   }
+  if (input.navigation) {
+    metrics.navigation = input.navigation->metricsOf(input.map, input.probabilities);
+  }
   if (input.wall_loss_db && truth.observed) {
     metrics.radio = radioMetrics(*input.wall_loss_db, truth);
   }
   return metrics;
+}
+
+Grid<CellState> freeOrUnknown(const Mask& free) {
+  Grid<CellState> map(free.geometry, CellState::kUnknown);
+  for (std::size_t i = 0; i < free.cells.size(); ++i) {
+    map.cells[i] = free.cells[i] != 0 ? CellState::kFree : CellState::kUnknown;
+  }
+  return map;
 }
 
 }  // namespace
@@ -256,7 +250,12 @@ Evaluation evaluate(const EvaluationInput& input) {
   const EvaluationTruth truth = makeEvaluationTruth(input.truth, input.path, input.access_points);
   Evaluation evaluation;
   evaluation.map = metricsOfMap(input, truth);
-  evaluation.path_only = metricsOfFree(pathOnlyFree(truth.path), truth);
+  const Mask path_only = pathOnlyFree(truth.path);
+  evaluation.path_only = metricsOfFree(path_only, truth);
+  if (input.navigation) {
+    evaluation.path_only.navigation =
+        input.navigation->metricsOf(freeOrUnknown(path_only), std::nullopt);
+  }
   evaluation.free_m2 =
       static_cast<double>(count(truth.region)) * kEvaluationResolutionM * kEvaluationResolutionM;
   evaluation.wall_cells = count(truth.walls);
@@ -267,12 +266,7 @@ Evaluation evaluate(const EvaluationInput& input) {
 }
 
 Grid<CellState> pathOnlyMap(const EvaluationInput& input) {
-  const Mask free = pathOnlyFree(makeEvaluationTruth(input.truth, input.path, {}).path);
-  Grid<CellState> map(free.geometry, CellState::kUnknown);
-  for (std::size_t i = 0; i < free.cells.size(); ++i) {
-    map.cells[i] = free.cells[i] != 0 ? CellState::kFree : CellState::kUnknown;
-  }
-  return map;
+  return freeOrUnknown(pathOnlyFree(makeEvaluationTruth(input.truth, input.path, {}).path));
 }
 
 }  // namespace sfw

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "evaluation/navigation_evaluation.h"
 #include "structure_from_wifi/grid_geometry.h"
 #include "structure_from_wifi/types.h"
 
@@ -53,6 +55,7 @@ struct RadioMetrics {
 
 /// All metrics of one map. A metric is absent if the truth or the input does not define it.
 struct MapMetrics {
+  NavigationMetrics navigation;
   FreeMetrics free;
   std::optional<WallMetrics> wall_one_cell;   ///< tolerance 0.05 m
   std::optional<WallMetrics> wall_two_cells;  ///< tolerance 0.1 m
@@ -67,7 +70,7 @@ struct MapMetrics {
 /// The metrics of a map, and those of a map made from the path alone.
 struct Evaluation {
   MapMetrics map;
-  MapMetrics path_only;  ///< only metrics of free cells: it has no walls and no
+  MapMetrics path_only;  ///< only metrics of free cells and of navigation: it has no walls and no
                          ///< probabilities
   double free_m2 = 0.0;  ///< area of the truth's free region
   std::size_t wall_cells = 0;
@@ -82,6 +85,8 @@ struct EvaluationInput {
   std::vector<Position> access_points;           ///< [m]; may be empty
   std::optional<Grid<float>> probabilities;      ///< of being occupied; not in [0, 1] counts as 0.5
   std::optional<Grid<float>> wall_loss_db = {};  ///< of each cell, by the radio alone
+  /// Of this truth and path; without it, the metrics of navigation are absent.
+  std::shared_ptr<const NavigationEvaluation> navigation = {};
 };
 
 /// Compares a map with the truth on cells of 0.05 m in the truth's frame.

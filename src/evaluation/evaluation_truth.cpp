@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "evaluation/samples.h"
 #include "grid/distance_transform.h"
 #include "grid/morphology.h"
 #include "grid/ray.h"
@@ -30,16 +31,6 @@ GridGeometry latticeOf(const GridGeometry& truth) {
   }
   return {kEvaluationResolutionM, truth.origin(), static_cast<std::int64_t>(width),
           static_cast<std::int64_t>(height)};
-}
-
-/// @throw std::invalid_argument if a position cannot lie in a building.
-void requireUsable(const std::vector<Position>& positions, const char* name) {
-  constexpr double kFar = 1e6;  // metres
-  for (const Position& position : positions) {
-    if (!(position.array().abs() <= kFar).all()) {
-      throw std::invalid_argument(std::string(name) + " must be finite and below 1000 km");
-    }
-  }
 }
 
 std::vector<Position> withoutRepeats(std::vector<Position> path) {
@@ -126,11 +117,13 @@ Mask drawRays(const GridGeometry& lattice, const std::vector<Position>& path,
 
 }  // namespace
 
-Mask cellsOfState(const Grid<CellState>& grid, CellState state) {
-  Mask mask(grid.geometry);
-  std::transform(grid.cells.begin(), grid.cells.end(), mask.cells.begin(),
-                 [state](CellState s) { return static_cast<std::uint8_t>(s == state); });
-  return mask;
+void requireUsable(const std::vector<Position>& positions, const char* name) {
+  constexpr double kFar = 1e6;  // metres
+  for (const Position& position : positions) {
+    if (!(position.array().abs() <= kFar).all()) {
+      throw std::invalid_argument(std::string(name) + " must be finite and below 1000 km");
+    }
+  }
 }
 
 EvaluationTruth makeEvaluationTruth(const Grid<CellState>& truth, const std::vector<Position>& path,

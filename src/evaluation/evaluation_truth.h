@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "evaluation/evaluation.h"
-#include "grid/for_each_cell.h"
 #include "grid/mask.h"
 
 namespace sfw {
@@ -24,30 +23,14 @@ struct EvaluationTruth {
   std::optional<Mask> observed;  ///< cells on a ray; absent without access points
 };
 
+/// @throw std::invalid_argument naming the positions if one of them cannot lie in a building.
+void requireUsable(const std::vector<Position>& positions, const char* name);
+
 /// @throw as evaluate().
 EvaluationTruth makeEvaluationTruth(const Grid<CellState>& truth, const std::vector<Position>& path,
                                     const std::vector<Position>& access_points);
 
 /// The map made from the path alone, without any radio.
 Mask pathOnlyFree(const Mask& path);
-
-/// The cells of one state.
-Mask cellsOfState(const Grid<CellState>& grid, CellState state);
-
-/// The value that a grid of any resolution has at each centre of the lattice's cells.
-/// @param elsewhere for centres outside the grid
-template <class T>
-Grid<T> sampled(const Grid<T>& grid, const GridGeometry& lattice, const T& elsewhere) {
-  Grid<T> samples(lattice, elsewhere);
-  forEachCell(lattice, [&](Cell c) {
-    // Uses floating point, because a grid may lie too far away for integer numbers of cells.
-    const Position at = grid.geometry.toCells(lattice.centre(c));
-    if (at.x() >= 0.0 && at.y() >= 0.0 && at.x() < static_cast<double>(grid.geometry.width()) &&
-        at.y() < static_cast<double>(grid.geometry.height())) {
-      samples[c] = grid[{static_cast<std::int64_t>(at.x()), static_cast<std::int64_t>(at.y())}];
-    }
-  });
-  return samples;
-}
 
 }  // namespace sfw

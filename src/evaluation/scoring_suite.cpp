@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <memory>
 
 #include "base/erase_if.h"
 #include "evaluation/ablations.h"
@@ -27,6 +28,9 @@ class Benchmark {
         input_.path.push_back(reading.antenna_in_map);
       }
     }
+    constexpr std::size_t kStarts = 40;  // tables average over drives, so few routes do
+    input_.navigation =
+        std::make_shared<const NavigationEvaluation>(input_.truth, input_.path, kStarts);
     for (const AccessPoint& access_point : access_points_) {
       input_.access_points.push_back(access_point.position);
     }

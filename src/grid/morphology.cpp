@@ -21,20 +21,21 @@ Mask padded(const Mask& mask, std::int64_t margin) {
 }
 
 /// Labels all cells of the set that are connected with `seed`.
-void flood(const Mask& mask, Cell seed, std::int64_t label, Grid<std::int64_t>& labels) {
+void flood(const Mask& mask, Connectivity connectivity, Cell seed, std::int64_t label,
+           Grid<std::int64_t>& labels) {
   std::vector<Cell> open{seed};
   labels[seed] = label;
   while (!open.empty()) {
     const Cell at = open.back();
     open.pop_back();
-    const Cell neighbours[] = {
-        {at.x - 1, at.y}, {at.x + 1, at.y}, {at.x, at.y - 1}, {at.x, at.y + 1}};
-    for (const Cell next : neighbours) {
-      if (mask.geometry.contains(next) && mask[next] != 0 && labels[next] == 0) {
+    forEachCell({at.x - 1, at.y - 1}, {at.x + 1, at.y + 1}, [&](Cell next) {
+      const bool over_corner = next.x != at.x && next.y != at.y;
+      const bool connected = !over_corner || connectivity == Connectivity::kEdgesAndCorners;
+      if (connected && mask.geometry.contains(next) && mask[next] != 0 && labels[next] == 0) {
         labels[next] = label;
         open.push_back(next);
       }
-    }
+    });
   }
 }
 
@@ -99,11 +100,11 @@ Mask withHolesFilled(const Mask& mask) {
   return result;
 }
 
-Components labelComponents(const Mask& mask) {
+Components labelComponents(const Mask& mask, Connectivity connectivity) {
   Components components{Grid<std::int64_t>(mask.geometry, 0), 0};
   forEachCell(mask.geometry, [&](Cell c) {
     if (mask[c] != 0 && components.label[c] == 0) {
-      flood(mask, c, ++components.count, components.label);
+      flood(mask, connectivity, c, ++components.count, components.label);
     }
   });
   return components;

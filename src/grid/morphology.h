@@ -22,13 +22,16 @@ Mask closed(const Mask& mask, double radius_cells);
 /// over edge neighbours. Linear in cells.
 Mask withHolesFilled(const Mask& mask);
 
-/// The parts of a set that are connected over the edges of cells.
+/// Which cells around a cell are connected with it.
+enum class Connectivity { kEdges, kEdgesAndCorners };
+
+/// The connected parts of a set.
 struct Components {
   Grid<std::int64_t> label;  ///< 0 outside the set, else 1..count in row-major order of first cells
   std::int64_t count = 0;
 };
 
-/// Labels the 4-connected components of a set. Linear in cells.
-Components labelComponents(const Mask& mask);
+/// Labels the connected components of a set. Linear in cells.
+Components labelComponents(const Mask& mask, Connectivity connectivity = Connectivity::kEdges);
 
 }  // namespace sfw

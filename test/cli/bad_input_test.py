@@ -6,6 +6,7 @@ Each run must end with status 1, a message that names file and line, option or p
 output directory as it was before.
 """
 
+import json
 import pathlib
 import sys
 
@@ -189,14 +190,14 @@ class BadEvaluation(CommandLine):
         self.made = self.folder / "made"
         self.good(self.map(output=self.made))
 
-    def evaluate(self, **changes):
+    def evaluate(self, more=(), **changes):
         options = {"map": self.made / "map.yaml", "truth": self.made / "map.yaml",
                    "readings": self.readings}
         options.update(changes)
         arguments = []
         for name, value in options.items():
             arguments += ["--" + name.replace("_", "-"), value] if value else []
-        return self.sfw("evaluate", *arguments)
+        return self.sfw("evaluate", *arguments, *more)
 
     def test_files_that_are_not_there(self):
         for option in ("map", "truth", "readings", "access_points", "probability"):
@@ -219,7 +220,21 @@ class BadEvaluation(CommandLine):
 
     def test_access_points_that_nobody_hears(self):
         strangers = self.write("strangers.yaml", ACCESS_POINTS.replace("02:00", "02:11"))
-        self.bad(self.evaluate(access_points=strangers), "strangers.yaml", self.readings)
+        self.bad(self.evaluate(access_points=strangers), "strangers.yaml", "none of its access points")
+
+    def test_a_report_with_settings_of_another_version(self):
+        report = json.loads((self.made / "report.json").read_text())
+        report["settings"]["method"] = "magic"
+        (self.made / "report.json").write_text(json.dumps(report))
+        self.good(self.evaluate())
+        more = ["--access-points", self.access_points, "--ablations"]
+        self.bad(self.evaluate(more=more), "report.json", "magic", "--config")
+
+    def test_prediction_without_positions(self):
+        names = self.write("names.yaml", "access_points:\n  - {bssid: \"%s\"}\n" % NEAR)
+        (self.made / "report.json").unlink()
+        self.bad(self.evaluate(more=["--access-points", names, "--prediction"]), "--prediction",
+                 "positions")
 
     def test_a_path_outside_the_truth(self):
         away = [row.split(",") for row in rows()]

@@ -90,6 +90,14 @@ TEST(LabelComponents, JoinsOverEdgesNotCorners) {
   EXPECT_EQ(components.count, 2);
 }
 
+TEST(LabelComponents, JoinsOverCornersIfAsked) {
+  const Mask diagonal = mask({"#.#",  //
+                              ".#.",  //
+                              "..."});
+  EXPECT_EQ(labelComponents(diagonal).count, 3);
+  EXPECT_EQ(labelComponents(diagonal, Connectivity::kEdgesAndCorners).count, 1);
+}
+
 TEST(LabelComponents, OfAnEmptySetAreNone) { EXPECT_EQ(labelComponents(mask({".."})).count, 0); }
 
 }  // namespace

@@ -13,7 +13,10 @@ struct Column {
   const char* key;
   const char* title;
 };
-constexpr Column kColumns[] = {{"free_precision", "free P"},
+constexpr Column kColumns[] = {{"knows_wall_f1", "knows the wall F1"},
+                               {"plans_through_walls", "plans through walls"},
+                               {"places_reached", "places reached"},
+                               {"free_precision", "free P"},
                                {"free_iou", "free IoU"},
                                {"wall_f1_2", "wall F1"},
                                {"observed_wall_recall_2", "observed wall recall"},

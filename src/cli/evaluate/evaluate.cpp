@@ -2,12 +2,14 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "cli/commands.h"
 #include "cli/evaluate/evaluation_text.h"
+#include "cli/evaluate/located_access_points.h"
+#include "cli/evaluate/map_report.h"
 #include "cli/evaluate/metrics.h"
 #include "cli/evaluate/scored_map.h"
+#include "cli/evaluate/summary_text.h"
 #include "cli/warnings.h"
 #include "evaluation/ablations.h"
 #include "evaluation/comparison_picture.h"
@@ -27,6 +29,7 @@ struct EvaluateOptions {
   std::string access_points;
   std::string probability;
   std::vector<std::string> beside;
+  bool all = false;
   bool ablations = false;
   bool prediction = false;
   std::string config;
@@ -66,6 +69,13 @@ nlohmann::json toJson(const AblationMetrics& ablations) {
   return json;
 }
 
+/// The settings that the map was made with, as far as known.
+Config settingsFor(const EvaluateOptions& options) {
+  const std::optional<Config> reported =
+      options.config.empty() ? reportedSettings(options.map) : std::nullopt;
+  return reported ? *reported : configWithWarnings(options.config);
+}
+
 /// The metrics of the ablations, if --ablations is given. Each ablation maps the readings again.
 std::optional<AblationMetrics> ablationsFor(const EvaluateOptions& options,
                                             const EvaluationInput& input,
@@ -77,7 +87,7 @@ std::optional<AblationMetrics> ablationsFor(const EvaluateOptions& options,
   if (options.access_points.empty()) {
     throw InputError("--ablations needs --access-points: it maps the readings again");
   }
-  return evaluateAblations(input, readings, access_points, configWithWarnings(options.config));
+  return evaluateAblations(input, readings, access_points, settingsFor(options));
 }
 
 nlohmann::json toJson(const PredictionMetrics& metrics) {
@@ -91,42 +101,21 @@ nlohmann::json toJson(const PredictionMetrics& metrics) {
 /// The errors of predicted signals, if --prediction is given.
 std::optional<PredictionMetrics> predictionFor(const EvaluateOptions& options,
                                                const std::vector<Reading>& readings,
-                                               const std::vector<AccessPoint>& access_points) {
+                                               const std::vector<AccessPoint>& located) {
   if (!options.prediction) {
     return std::nullopt;
   }
-  if (options.access_points.empty()) {
-    throw InputError("--prediction needs --access-points: their positions predict the signals");
+  if (located.empty()) {
+    throw InputError("--prediction needs --access-points with positions: they predict the signals");
   }
   const std::atomic<bool> stop{false};
-  const auto metrics = predictHiddenStretches(readings, access_points, {}, stop);
+  const auto metrics = predictHiddenStretches(readings, located, {}, stop);
   if (!metrics) {
     throw InputError(options.readings +
                      ": --prediction needs a longer drive, and all positions within a building; "
                      "leave the option out");
   }
   return metrics;
-}
-
-/// Positions of the access points in the readings. Only they have rays.
-std::vector<Position> accessPointsWithReadings(const EvaluateOptions& options,
-                                               const std::vector<Reading>& readings,
-                                               const std::vector<AccessPoint>& access_points) {
-  std::set<Bssid> in_readings;
-  for (const Reading& reading : readings) {
-    in_readings.insert(reading.bssid);
-  }
-  std::vector<Position> positions;
-  for (const AccessPoint& access_point : access_points) {
-    if (in_readings.count(access_point.bssid) != 0 && access_point.position_known) {
-      positions.push_back(access_point.position);
-    }
-  }
-  if (positions.empty()) {
-    throw InputError(options.access_points + ": no access point with a position has a reading in " +
-                     options.readings);
-  }
-  return positions;
 }
 
 void writePictures(const EvaluateOptions& options, const EvaluationInput& input,
@@ -156,33 +145,65 @@ std::vector<ScoredMap> scoreBeside(const EvaluateOptions& options, const Evaluat
   return beside;
 }
 
-void printMetrics(const EvaluateOptions& options, const Evaluation& evaluation,
-                  const std::vector<ScoredMap>& beside,
-                  const std::optional<AblationMetrics>& ablations,
-                  const std::optional<PredictionMetrics>& prediction) {
-  if (options.json) {
-    nlohmann::json json = toJson(evaluation, beside);
-    if (ablations) {
-      json["ablations"] = toJson(*ablations);
-    }
-    if (prediction) {
-      json["prediction"] = toJson(*prediction);
-    }
-    std::cout << json.dump(2) << std::endl;
-    return;
+/// All that is printed.
+struct Results {
+  Evaluation evaluation;
+  std::vector<ScoredMap> beside;
+  std::optional<AblationMetrics> ablations;
+  std::optional<PredictionMetrics> prediction;
+};
+
+void printJson(const Results& results) {
+  nlohmann::json json = toJson(results.evaluation, results.beside);
+  if (results.ablations) {
+    json["ablations"] = toJson(*results.ablations);
   }
-  printTable(std::cout, evaluation, beside);
-  if (ablations) {
-    printAblations(std::cout, evaluation.map, *ablations);
+  if (results.prediction) {
+    json["prediction"] = toJson(*results.prediction);
   }
-  if (prediction) {
-    printPrediction(std::cout, *prediction);
+  std::cout << json.dump(2) << std::endl;
+}
+
+std::vector<SummaryColumn> columnsOf(const Results& results) {
+  std::vector<SummaryColumn> columns{{"this map", {results.evaluation.map}}};
+  for (const ScoredMap& scored : results.beside) {
+    columns.push_back({scored.title, {scored.metrics}});
+  }
+  if (results.ablations) {
+    columns.push_back({"no radio", {results.ablations->no_radio}});
+    columns.push_back({"shifted radio", results.ablations->shifted_radio});
+  }
+  columns.push_back({"path alone", {results.evaluation.path_only}});
+  return columns;
+}
+
+void printTables(const EvaluateOptions& options, const EvaluationInput& input,
+                 const Results& results) {
+  printSummary(std::cout, *input.navigation, columnsOf(results));
+  if (!input.probabilities) {
+    std::cout << "AUC:    left out; it needs probability.yaml beside the map, or --probability\n";
+  }
+  if (!results.ablations) {
+    std::cout << "radio:  --ablations shows beside it what maps without radio know; it maps the "
+                 "readings nine times\n";
+  }
+  if (options.all) {
+    std::cout << '\n';
+    printTable(std::cout, results.evaluation, results.beside);
+    if (results.ablations) {
+      printAblations(std::cout, results.evaluation.map, *results.ablations);
+    }
+  } else {
+    std::cout << "more:   --all prints the metrics of cells\n";
+  }
+  if (results.prediction) {
+    printPrediction(std::cout, *results.prediction);
   }
   std::cout << std::flush;
 }
 
-void run(const EvaluateOptions& options) {
-  const std::vector<Reading> readings = readWithWarnings(options.readings).readings;
+/// Truth, path and map, without access points.
+EvaluationInput inputFor(const EvaluateOptions& options, const std::vector<Reading>& readings) {
   EvaluationInput input{readMap(options.map), readMap(options.truth), {}, {}, {}};
   readProbabilityAndWallLoss(options.map, options.probability, input);
   if (!input.map.geometry.box().intersects(input.truth.geometry.box())) {
@@ -192,20 +213,32 @@ void run(const EvaluateOptions& options) {
   for (const Reading& reading : readings) {
     input.path.push_back(reading.antenna_in_map);
   }
+  input.navigation = std::make_shared<const NavigationEvaluation>(input.truth, input.path);
+  return input;
+}
+
+void run(const EvaluateOptions& options) {
+  const std::vector<Reading> readings = readWithWarnings(options.readings).readings;
+  EvaluationInput input = inputFor(options, readings);
   std::vector<AccessPoint> access_points;
+  std::vector<AccessPoint> located;
   if (!options.access_points.empty()) {
     access_points = accessPointsWithWarnings(options.access_points);
-    input.access_points = accessPointsWithReadings(options, readings, access_points);
+    located = locatedAccessPoints(access_points, readings, options.map, options.access_points);
   }
-  const Evaluation evaluation = evaluate(input);
-  const std::vector<ScoredMap> beside = scoreBeside(options, input);
-  const std::optional<AblationMetrics> ablations =
-      ablationsFor(options, input, readings, access_points);
-  const std::optional<PredictionMetrics> prediction =
-      predictionFor(options, readings, access_points);
-  printMetrics(options, evaluation, beside, ablations, prediction);
+  for (const AccessPoint& access_point : located) {
+    input.access_points.push_back(access_point.position);
+  }
+  const Results results{evaluate(input), scoreBeside(options, input),
+                        ablationsFor(options, input, readings, access_points),
+                        predictionFor(options, readings, located)};
+  if (options.json) {
+    printJson(results);
+  } else {
+    printTables(options, input, results);
+  }
   // Pictures come last, so that the metrics are printed even if a picture cannot be written.
-  writePictures(options, input, evaluation, beside);
+  writePictures(options, input, results.evaluation, results.beside);
 }
 
 }  // namespace
@@ -216,8 +249,7 @@ void runEvaluate(Options& options) {
   options.addRequired("truth", "FILE", evaluate.truth,
                       "true map in the same frame (map_server YAML)");
   options.addRequired("readings", "FILE", evaluate.readings,
-                      "CSV that the map was made from; the metrics cover the room that its path "
-                      "lies in");
+                      "CSV that the map was made from; its path says where to ask the map");
   options.add("access-points", "FILE", evaluate.access_points,
               "YAML; adds the metrics of observed walls, those that a ray crosses");
   options.add("probability", "FILE", evaluate.probability,
@@ -233,7 +265,7 @@ void runEvaluate(Options& options) {
                   "hide stretches of 3 m of the readings and predict them from the others, by "
                   "distance alone and with walls; the gain from walls is the radio's knowledge");
   options.add("config", "FILE", evaluate.config,
-              "settings for --ablations; give the file that the map was made with");
+              "settings for --ablations; default: those in report.json beside the map");
   options.add("picture", "FILE", evaluate.picture,
               "PNG to write: the map over the truth, with walls found, missed and called free");
   options.add("panels", "FILE", evaluate.panels,
@@ -241,7 +273,9 @@ void runEvaluate(Options& options) {
               "side");
   options.add("title", "TEXT", evaluate.title, "title of the map among the panels");
   options.addFlag("no-legend", evaluate.no_legend, "draw no legend below the panels");
-  options.addFlag("json", evaluate.json, "print one JSON object instead of a table");
+  options.addFlag("all", evaluate.all,
+                  "also print the metrics of cells: free space, walls, probabilities, radio");
+  options.addFlag("json", evaluate.json, "print all metrics as one JSON object instead of a table");
   if (options.parse()) {
     run(evaluate);
   }

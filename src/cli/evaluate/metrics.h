@@ -20,6 +20,21 @@ std::optional<double> within(const std::optional<Group>& group, Value Group::*va
 /// Calls `visit(key, text, value)` for each metric, in the order of the table.
 template <class Visitor>
 void forEachMetric(const MapMetrics& m, Visitor&& visit) {
+  const std::optional<WallKnowledge>& walls = m.navigation.walls;
+  const std::optional<RouteMetrics>& routes = m.navigation.routes;
+  visit("knows_wall_f1", "knows the wall: F1", within(walls, &WallKnowledge::f1));
+  visit("knows_wall_auc", "knows the wall: area under the curve",
+        within(walls, &WallKnowledge::auc));
+  visit("knows_wall_precision", "knows the wall: precision",
+        within(walls, &WallKnowledge::precision));
+  visit("knows_wall_recall", "knows the wall: recall", within(walls, &WallKnowledge::recall));
+  visit("plans_through_walls", "plans through walls", within(routes, &RouteMetrics::through_walls));
+  visit("places_reached", "places reached", within(routes, &RouteMetrics::reached));
+  visit("no_plan", "no plan", within(routes, &RouteMetrics::no_plan));
+  visit("detour_median", "detours: median length over true shortest",
+        within(routes, &RouteMetrics::detour_median));
+  visit("detours_over_1m", "detours: over 1 m longer than needed",
+        within(routes, &RouteMetrics::detours_over_1m));
   visit("free_precision", "free: precision", m.free.precision);
   visit("free_precision_tolerant", "free: precision within 0.1 m", m.free.tolerant_precision);
   visit("free_recall", "free: recall", m.free.recall);
