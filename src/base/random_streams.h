@@ -22,7 +22,10 @@ enum class Purpose : std::uint64_t {
   kMisses,
   kLeftOutBins,  // of an inference, not of a simulation
   kTrainingDrive,
-  kTrainingCells
+  kTrainingCells,
+  kSurvey,  // this and the rest: of drives for the training of the wall network
+  kWallDrive,
+  kDisturbance
 };
 
 /// The stream of random numbers for a purpose.
