@@ -144,9 +144,11 @@ void run(const WallDriveOptions& options) {
   const std::vector<NamedPlan> plans = readPlans(allowedPlans(options));
   makeDirectories(options.output);
   const nlohmann::json drives = makeDrives(options, plans, config);
-  const nlohmann::json index{{"command", commandOf(options)}, {"version", version()},
-                             {"plans", plans.size()},         {"cell_m", kNetworkCellM},
-                             {"channels", wallRasterNames()}, {"drives", drives}};
+  const nlohmann::json index{
+      {"command", commandOf(options)}, {"version", version()},
+      {"plans", plans.size()},         {"cell_m", kNetworkCellM},
+      {"inputs", networkInputNames()}, {"radio_inputs", networkRadioInputNames()},
+      {"labels", wallLabelNames()},    {"drives", drives}};
   writeAtomically(options.output + "/drives.json", index.dump(1) + '\n');
   std::cerr << "sfw: wrote " << drives.size() << " of " << options.drives << " drives to "
             << options.output << "; the others do not fit into their buildings\n";

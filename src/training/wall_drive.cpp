@@ -169,7 +169,7 @@ Channels wallRasters(const WallDrive& drive, Config config) {
   const Channels inputs =
       networkInputs(features, footprint, model, style, UseRadio::kYes,
                     freeProbability(features.cells, model, style, UseRadio::kYes));
-  Channels rasters(wallRasterNames().size(), inputs.height(), inputs.width());
+  Channels rasters(inputs.count() + wallLabelNames().size(), inputs.height(), inputs.width());
   std::copy(inputs.values().begin(), inputs.values().end(), rasters.values().begin());
   const auto label = [&](std::size_t number) { return rasters.row(inputs.count() + number, 0); };
   std::copy(footprint.cells.begin(), footprint.cells.end(), label(0));
@@ -179,10 +179,6 @@ Channels wallRasters(const WallDrive& drive, Config config) {
   return rasters;
 }
 
-std::vector<std::string> wallRasterNames() {
-  std::vector<std::string> names = networkInputNames();
-  names.insert(names.end(), {"footprint", "free", "wall", "true_walls"});
-  return names;
-}
+std::vector<std::string> wallLabelNames() { return {"footprint", "free", "wall", "true_walls"}; }
 
 }  // namespace sfw

@@ -46,7 +46,7 @@ std::optional<WallDrive> makeWallDrive(const FloorPlan& plan, WallDriveKind kind
 /// @throw as extractDriveFeatures
 Channels wallRasters(const WallDrive& drive, Config config);
 
-/// Names of the channels of wallRasters, in order.
-std::vector<std::string> wallRasterNames();
+/// Names of the channels of wallRasters after those of networkInputs, in order.
+std::vector<std::string> wallLabelNames();
 
 }  // namespace sfw

@@ -271,4 +271,14 @@ std::vector<std::string> networkInputNames() {
   return names;
 }
 
+std::vector<std::string> networkRadioInputNames() {
+  std::vector<std::string> names;
+  for (const NetworkInput& input : kInputs) {
+    if (input.uses_radio) {
+      names.emplace_back(input.name);
+    }
+  }
+  return names;
+}
+
 }  // namespace sfw

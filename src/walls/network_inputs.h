@@ -32,4 +32,7 @@ Channels networkInputs(const DriveFeatures& features, const Mask& footprint,
 /// Names of the channels of networkInputs, in order.
 std::vector<std::string> networkInputNames();
 
+/// Names of the channels of networkInputs that are 0 without radio.
+std::vector<std::string> networkRadioInputNames();
+
 }  // namespace sfw
