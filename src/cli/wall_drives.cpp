@@ -47,9 +47,14 @@ std::string identityOf(const std::string& file) {
 }
 
 /// Plans without those that tests use. Copies of one plan have names that begin alike.
+/// @throw InputError if a plan to exclude does not exist: its name may be misspelt.
 std::vector<std::string> allowedPlans(const WallDriveOptions& options) {
   std::vector<std::string> excluded;
   for (const std::string& file : floorPlanFiles(options.excluded)) {
+    if (!fs::exists(file)) {
+      throw InputError(file +
+                       ": does not exist; give --exclude floor plans or directories of them");
+    }
     excluded.push_back(identityOf(file));
   }
   std::vector<std::string> allowed;

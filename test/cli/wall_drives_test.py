@@ -77,6 +77,10 @@ class WallDrives(CommandLine):
         self.assertLessEqual({drive["plan"] for drive in index["drives"]},
                              {"abd_stats.json", "generated"})
 
+    def test_a_plan_to_exclude_must_exist(self):
+        self.bad(self.sfw("wall-drives", "--exclude", self.folder / "tests", "--output", self.output),
+                 self.folder / "tests", "--exclude")
+
     @unittest.skipUnless(HAS_TORCH, "PyTorch is not installed, so no network is trained")
     def test_two_steps_of_training_give_a_network_of_the_same_form(self):
         self.make("--drives", 4)
