@@ -26,7 +26,7 @@ ALLOWED = {
     "output": "base grid files belief k_visibility mapping path",
     "simulation": "base grid files",
     "evaluation": "base grid files path radio tomography belief k_visibility mapping output simulation",
-    "training": "base grid path belief k_visibility simulation mapping",
+    "training": "base grid path belief walls k_visibility simulation mapping",
 }
 # The rooms of public headers, where no source file of the same name tells.
 PUBLIC_ROOMS = {"types": "base", "export": "base", "input_error": "base", "snapshot": "mapping",

@@ -23,7 +23,10 @@ enum class Purpose : std::uint64_t {
   kLeftOutBins,  // of an inference, not of a simulation
   kTrainingDrive,
   kTrainingCells,
-  kEvaluatedPlaces,
+  kSurvey,  // this and the next two: of drives for the training of the wall network
+  kWallDrive,
+  kDisturbance,
+  kEvaluatedPlaces,  // of an evaluation
   kEvaluatedRoutes
 };
 

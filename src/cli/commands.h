@@ -15,5 +15,6 @@ void runChooseSites(Options& options);
 void runSimulate(Options& options);
 void runBench(Options& options);
 void runFit(Options& options);
+void runWallDrives(Options& options);
 
 }  // namespace sfw

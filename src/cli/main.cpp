@@ -36,6 +36,9 @@ constexpr Command kCommands[] = {
      runBench},
     {"fit", "Fit the belief model to simulated drives. The setting belief/model names its file.",
      runFit},
+    {"wall-drives",
+     "Simulate drives for the training of the network of walls. scripts/train_walls.py reads them.",
+     runWallDrives},
 };
 
 constexpr char kOldChooseSites[] = "place";

@@ -14,12 +14,6 @@
 namespace sfw {
 namespace {
 
-/// The belief model trusts walls within these limits of the explained variance. The lower one is a
-/// little above the median of the training drives (.5). One in ten or twenty of these drives passes
-/// the upper one. Signals with wrong positions explain too little, and then the model would doubt
-/// the path too. Few readings of many walls explain too much.
-constexpr ExplainedVarianceLimits kTrustedVariance{0.55, 0.7};
-
 /// Interpolates linearly between the centres of the four nearest cells; `outside` stands for cells
 /// beyond the grid.
 float interpolated(const Grid<float>& values, const Position& position, float outside) {

@@ -13,6 +13,12 @@
 
 namespace sfw {
 
+/// The belief model trusts walls within these limits of the explained variance. The lower one is a
+/// little above the median of the training drives (.5). One in ten or twenty of these drives passes
+/// the upper one. Signals with wrong positions explain too little, and then the model would doubt
+/// the path too. Few readings of many walls explain too much.
+constexpr ExplainedVarianceLimits kTrustedVariance{0.55, 0.7};
+
 /// The result of tomography and the belief model, on the grid of a map. Both grids of occupancy
 /// hold probabilities of being occupied.
 struct FusedBelief {

@@ -7,7 +7,6 @@
 #include "grid/morphology.h"
 #include "k_visibility/k_visibility.h"
 #include "simulation/radio/noise_level.h"
-#include "simulation/scenario.h"
 #include "structure_from_wifi/input_error.h"
 #include "training/training_world.h"
 
@@ -21,18 +20,6 @@ NoiseLevel chooseLevel(Random& random) {
   return draw < 0.1   ? noiseLevel("moderate")
          : draw < 0.8 ? noiseLevel("realistic")
                       : noiseLevel("hard");
-}
-
-/// The ranges are wider than those of the levels. Measured losses of walls in homes range from 1.4
-/// to 8.3 dB. The first fits of saturation, shadowing and its reach differ as much.
-void varyRadio(RadioModel::Config& radio, Random& random) {
-  radio.interior_wall_loss_db = random.uniform(2.0, 11.0);
-  radio.outer_wall_loss_db = radio.interior_wall_loss_db * random.uniform(1.0, 2.0);
-  radio.shadowing_db = random.uniform(2.0, 6.0);
-  radio.shadowing_distance_m = random.uniform(0.4, 1.6);
-  if (radio.max_obstacle_loss_db > 0.0) {
-    radio.max_obstacle_loss_db = random.uniform(8.0, 22.0);
-  }
 }
 
 /// The building as the robot finds it: often with furniture, which blocks the robot alone.
@@ -58,17 +45,6 @@ void varyRoute(DrivingStyle style, double robot_radius_m, Scenario& scenario, Ra
   }
 }
 
-/// Positions of the readings, without repetitions in a row.
-std::vector<Position> pathOf(const std::vector<Reading>& readings) {
-  std::vector<Position> path;
-  for (const Reading& reading : readings) {
-    if (path.empty() || path.back() != reading.antenna_in_map) {
-      path.push_back(reading.antenna_in_map);
-    }
-  }
-  return path;
-}
-
 /// Keeps only a part of the drive, chosen at random.
 void shorten(std::vector<Reading>& readings, Random& random) {
   const double share = random.uniform(0.2, 0.9);
@@ -80,6 +56,31 @@ void shorten(std::vector<Reading>& readings, Random& random) {
 }
 
 }  // namespace
+
+void varyRadio(RadioModel::Config& radio, Random& random) {
+  // Measured losses of walls in homes range from 1.4 to 8.3 dB. The first fits of saturation,
+  // shadowing and its reach differ as much.
+  constexpr double kLittleShadowing = 2.0;  // [dB]
+  radio.interior_wall_loss_db = random.uniform(2.0, 11.0);
+  radio.outer_wall_loss_db = radio.interior_wall_loss_db * random.uniform(1.0, 2.0);
+  if (radio.shadowing_db > kLittleShadowing) {
+    radio.shadowing_db = random.uniform(2.0, 6.0);
+    radio.shadowing_distance_m = random.uniform(0.4, 1.6);
+  }
+  if (radio.max_obstacle_loss_db > 0.0) {
+    radio.max_obstacle_loss_db = random.uniform(8.0, 22.0);
+  }
+}
+
+std::vector<Position> pathOf(const std::vector<Reading>& readings) {
+  std::vector<Position> path;
+  for (const Reading& reading : readings) {
+    if (path.empty() || path.back() != reading.antenna_in_map) {
+      path.push_back(reading.antenna_in_map);
+    }
+  }
+  return path;
+}
 
 Grid<CellState> visibleStates(const std::vector<Position>& path, const Grid<CellState>& states) {
   constexpr double kSpacing = 0.8;    // [m], between the places that the lidar looks from
@@ -108,28 +109,27 @@ Grid<CellState> visibleStates(const std::vector<Position>& path, const Grid<Cell
   return truth;
 }
 
-std::optional<TrainingDrive> makeTrainingDrive(const FloorPlan& plan, DrivingStyle style,
-                                               std::int64_t seed) {
-  Random random(seed, streamOf(Purpose::kTrainingDrive), 0);
-  ScenarioConfig config;
-  config.seed = seed;
-  config.noise = chooseLevel(random);
+std::optional<TrainingDrive> simulateTrainingDrive(const FloorPlan& plan, DrivingStyle style,
+                                                   const TrainingDriveSettings& settings,
+                                                   Random& random) {
+  ScenarioConfig config = settings.scenario;
   config.path = style == DrivingStyle::kAlongWalls ? "walls" : "sparse";
-  config.access_points = 1 + static_cast<std::int64_t>(random.uniform(0.0, 4.99));
-  config.robot_radius_m = random.uniform(0.01, 0.15);
   const bool strolls = style == DrivingStyle::kStroll;
-  const bool covers_all = !happens(strolls ? 0.25 : 0.6, random);
-
+  const bool covers_all = settings.plain || !happens(strolls ? 0.25 : 0.6, random);
   FloorPlan walls = plan;
-  if (happens(strolls ? 0.3 : 0.7, random)) {
+  if (!settings.plain && happens(strolls ? 0.3 : 0.7, random)) {
     cutOut(walls, random);
   }
-  const FloorPlan furnished = withFurniture(walls, style, random);
-  TrainingDrive drive{{}, {}, style, toStates(furnished)};
+  const FloorPlan furnished = settings.plain ? walls : withFurniture(walls, style, random);
+  TrainingDrive drive{{}, {}, style, toStates(furnished), toStates(furnished)};
   try {
     Scenario scenario = makeScenario(furnished, {}, config);
-    varyRoute(style, config.robot_radius_m, scenario, random);
-    varyRadio(scenario.recording.radio, random);
+    if (!settings.plain || strolls) {
+      varyRoute(style, config.robot_radius_m, scenario, random);
+    }
+    if (settings.varies_radio) {
+      varyRadio(scenario.recording.radio, random);
+    }
     scenario.plan = walls;  // furniture weakens signals less than walls: the level has its own
     drive.readings = simulate(scenario).readings;
     drive.access_points = scenario.access_points;
@@ -142,8 +142,19 @@ std::optional<TrainingDrive> makeTrainingDrive(const FloorPlan& plan, DrivingSty
   if (drive.readings.empty()) {
     return std::nullopt;
   }
-  drive.truth = visibleStates(pathOf(drive.readings), drive.truth);
+  drive.truth = visibleStates(pathOf(drive.readings), drive.building);
   return drive;
+}
+
+std::optional<TrainingDrive> makeTrainingDrive(const FloorPlan& plan, DrivingStyle style,
+                                               std::int64_t seed) {
+  Random random(seed, streamOf(Purpose::kTrainingDrive), 0);
+  TrainingDriveSettings settings;
+  settings.scenario.seed = seed;
+  settings.scenario.noise = chooseLevel(random);
+  settings.scenario.access_points = 1 + static_cast<std::int64_t>(random.uniform(0.0, 4.99));
+  settings.scenario.robot_radius_m = random.uniform(0.01, 0.15);
+  return simulateTrainingDrive(plan, style, settings, random);
 }
 
 }  // namespace sfw

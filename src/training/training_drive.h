@@ -4,19 +4,29 @@
 #include <optional>
 #include <vector>
 
+#include "base/random.h"
 #include "path/path_style.h"
 #include "simulation/building/floor_plan.h"
-#include "simulation/simulated_recording.h"
+#include "simulation/radio/radio_model.h"
+#include "simulation/scenario.h"
 #include "structure_from_wifi/types.h"
 
 namespace sfw {
 
-/// A simulated drive for the fit of a belief model, with the labels that a lidar would give.
+/// A simulated drive for training, with the labels that a lidar would give.
 struct TrainingDrive {
   std::vector<Reading> readings;
   std::vector<AccessPoint> access_points;
   DrivingStyle style = DrivingStyle::kAlongWalls;
-  Grid<CellState> truth;  ///< labels, as of visibleStates
+  Grid<CellState> truth;     ///< labels, as of visibleStates
+  Grid<CellState> building;  ///< the state of each cell, seen or not, with furniture
+};
+
+/// What varies between training drives besides the building and the style.
+struct TrainingDriveSettings {
+  ScenarioConfig scenario;  ///< its route follows from the style
+  bool plain = false;       ///< as `sfw simulate` drives: no furniture, no cuts, the whole building
+  bool varies_radio = true;  ///< false: the radio of the noise level as it is
 };
 
 /// Simulates a drive through a building, as varied as real drives (doc/method/belief.md).
@@ -33,6 +43,19 @@ struct TrainingDrive {
 /// Deterministic.
 std::optional<TrainingDrive> makeTrainingDrive(const FloorPlan& plan, DrivingStyle style,
                                                std::int64_t seed);
+
+/// Simulates a drive with given settings. The rest varies as in makeTrainingDrive.
+/// @return nothing if the robot fits nowhere in the rest of the building.
+std::optional<TrainingDrive> simulateTrainingDrive(const FloorPlan& plan, DrivingStyle style,
+                                                   const TrainingDriveSettings& settings,
+                                                   Random& random);
+
+/// Draws the losses of walls, their limit and the shadowing from ranges wider than those of the
+/// noise levels. A radio without much shadowing keeps its own.
+void varyRadio(RadioModel::Config& radio, Random& random);
+
+/// Positions [m] of the readings, without repetitions in a row.
+std::vector<Position> pathOf(const std::vector<Reading>& readings);
 
 /// Labels the cells that a lidar sees from a path. Free cells in sight stay free, occupied cells
 /// within two cells of them stay occupied, and all others become unknown.

@@ -4,50 +4,15 @@
 #include <cmath>
 
 #include "base/constants.h"
-#include "grid/distance_transform.h"
+#include "base/random_streams.h"
 #include "grid/for_each_cell.h"
 #include "simulation/building/floor_plan_generator.h"
+#include "training/clearance.h"
 
 namespace sfw {
 namespace {
 
 constexpr double kTurn = 2.0 * kPi;
-
-/// Distances from each cell to the nearest cell that is not free.
-class Clearance {
- public:
-  Clearance(const FloorPlan& plan, double least_m)
-      : distance_(distanceOf(plan)), least_m_(least_m) {}
-
-  double at(Cell c) const {
-    return distance_.geometry.contains(c) ? distance_[c] * distance_.geometry.resolution() : 0.0;
-  }
-
-  /// Returns whether a straight line keeps the least clearance.
-  bool allows(const Position& from, const Position& to) const {
-    const double length = (to - from).norm();
-    const int steps = 1 + static_cast<int>(length / distance_.geometry.resolution());
-    for (int i = 0; i <= steps; ++i) {
-      const Position position = from + (to - from) * (static_cast<double>(i) / steps);
-      if (at(distance_.geometry.cellAt(position)) < least_m_) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  static Grid<double> distanceOf(const FloorPlan& plan) {
-    Mask obstacles(plan.geometry);
-    for (std::size_t i = 0; i < plan.cells.size(); ++i) {
-      obstacles.cells[i] = plan.cells[i] == Material::kFree ? 0 : 1;
-    }
-    return distanceTransform(obstacles);
-  }
-
- private:
-  Grid<double> distance_;
-  double least_m_;
-};
 
 Position randomStep(double length_m, Random& random) {
   const double bearing = random.uniform(0.0, kTurn);
@@ -95,6 +60,15 @@ FloorPlan makeTrainingBuilding(std::int64_t seed) {
   config.kind = random.uniform() < 0.25 ? BuildingKind::kOffice : BuildingKind::kFlat;
   config.area_m2 = random.uniform(35.0, 135.0);
   config.rotation_rad = random.uniform() < 0.5 ? 0.0 : random.uniform(0.0, 1.57);
+  return generateFloorPlan(config);
+}
+
+FloorPlan makeSurveyBuilding(std::int64_t seed) {
+  Random random(seed, streamOf(Purpose::kSurvey), 0);
+  BuildingConfig config;
+  config.seed = static_cast<std::uint64_t>(seed);
+  config.kind = random.uniform() < 0.8 ? BuildingKind::kOffice : BuildingKind::kFlat;
+  config.area_m2 = random.uniform(60.0, 260.0);
   return generateFloorPlan(config);
 }
 

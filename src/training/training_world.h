@@ -15,6 +15,9 @@ namespace sfw {
 /// Deterministic.
 FloorPlan makeTrainingBuilding(std::int64_t seed);
 
+/// Generates a building for a survey, of 60 to 260 m2: four in five are offices. Deterministic.
+FloorPlan makeSurveyBuilding(std::int64_t seed);
+
 /// Cuts one to three rectangles of 1 to 5 m out of a building: with walls around, unknown inside.
 void cutOut(FloorPlan& plan, Random& random);
 

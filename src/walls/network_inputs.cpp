@@ -8,7 +8,10 @@
 #include <string_view>
 
 #include "base/log_odds.h"
+#include "belief/free_probability.h"
 #include "grid/axis_rasters.h"
+#include "grid/morphology.h"
+#include "grid/robot_evidence.h"
 #include "walls/wall_rasters.h"
 
 namespace sfw {
@@ -24,6 +27,22 @@ constexpr std::size_t featureIndex(std::string_view name) {
     }
   }
   return kCellFeatures;
+}
+
+/// Probabilities of free space by the belief model; 0.5 where cells are not described.
+struct ModelProbabilities {
+  Grid<float> single;        ///< of each cell by itself
+  Grid<float> straightened;  ///< as freeProbability returns them
+};
+
+/// The belief model's probability of each cell by itself.
+Grid<float> singleProbabilities(const CellFeatures& cells, const BeliefModel& model,
+                                const StyleShares& style, UseRadio use_radio) {
+  Grid<float> free(cells.geometry, kUnknownOccupancy);
+  for (std::size_t i = 0; i < cells.cells.size(); ++i) {
+    free.cells[cells.cells[i]] = static_cast<float>(model.free(cells.values[i], style, use_radio));
+  }
+  return free;
 }
 
 /// All evidence in one cell.
@@ -218,11 +237,19 @@ float limitedLogOdds(float probability) {
       logit(std::clamp(static_cast<double>(probability), kLeast, 1.0 - kLeast)));
 }
 
+Mask footprintOf(const DrivenPath& path) {
+  return dilated(path.cells, path.robot_radius_m / path.cells.geometry.resolution());
+}
+
 Channels networkInputs(const DriveFeatures& features, const Mask& footprint,
-                       const ModelProbabilities& with_radio,
-                       const ModelProbabilities& without_radio, UseRadio use_radio) {
-  const GridGeometry& geometry = features.cells.geometry;
-  const Evidence evidence(features, footprint, with_radio, without_radio);
+                       const BeliefModel& model, const StyleShares& style, UseRadio use_radio,
+                       const Grid<float>& free) {
+  const CellFeatures& cells = features.cells;
+  const ModelProbabilities by_path{singleProbabilities(cells, model, style, UseRadio::kNo),
+                                   freeProbability(cells, model, style, UseRadio::kNo)};
+  const ModelProbabilities by_all{singleProbabilities(cells, model, style, use_radio), free};
+  const GridGeometry& geometry = cells.geometry;
+  const Evidence evidence(features, footprint, by_all, by_path);
   Channels channels(std::size(kInputs), static_cast<std::size_t>(geometry.height()),
                     static_cast<std::size_t>(geometry.width()));
   for (std::size_t number = 0; number < features.cells.cells.size(); ++number) {
@@ -242,6 +269,16 @@ std::vector<std::string> networkInputNames() {
   std::vector<std::string> names;
   for (const NetworkInput& input : kInputs) {
     names.emplace_back(input.name);
+  }
+  return names;
+}
+
+std::vector<std::string> networkRadioInputNames() {
+  std::vector<std::string> names;
+  for (const NetworkInput& input : kInputs) {
+    if (input.uses_radio) {
+      names.emplace_back(input.name);
+    }
   }
   return names;
 }

@@ -4,10 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "base/log_odds.h"
-#include "belief/free_probability.h"
-#include "grid/morphology.h"
-#include "grid/robot_evidence.h"
 #include "walls/network_inputs.h"
 
 namespace sfw {
@@ -15,16 +11,6 @@ namespace {
 
 /// ln(1 + e^x), without overflow.
 float softplus(float x) { return std::max(x, 0.0F) + std::log1p(std::exp(-std::abs(x))); }
-
-/// The belief model's probability of each cell by itself.
-Grid<float> singleProbabilities(const CellFeatures& cells, const BeliefModel& model,
-                                const StyleShares& style, UseRadio use_radio) {
-  Grid<float> free(cells.geometry, kUnknownOccupancy);
-  for (std::size_t i = 0; i < cells.cells.size(); ++i) {
-    free.cells[cells.cells[i]] = static_cast<float>(model.free(cells.values[i], style, use_radio));
-  }
-  return free;
-}
 
 /// The network's probabilities of the states of a cell; they sum to 1.
 struct StateProbabilities {
@@ -48,13 +34,9 @@ NetworkFindings findWallsByNetwork(const DriveFeatures& features, const BeliefMo
                                    const Grid<float>& free, double free_above,
                                    const WallNetwork& network) {
   const CellFeatures& cells = features.cells;
-  const DrivenPath& path = features.path;
-  const Mask footprint = dilated(path.cells, path.robot_radius_m / cells.geometry.resolution());
-  const ModelProbabilities by_path{singleProbabilities(cells, model, style, UseRadio::kNo),
-                                   freeProbability(cells, model, style, UseRadio::kNo)};
-  const ModelProbabilities by_all{singleProbabilities(cells, model, style, use_radio), free};
+  const Mask footprint = footprintOf(features.path);
   const Channels output =
-      network.apply(networkInputs(features, footprint, by_all, by_path, use_radio));
+      network.apply(networkInputs(features, footprint, model, style, use_radio, free));
   Grid<float> density(cells.geometry);
   Mask is_free = footprint;
   for (const std::size_t i : cells.cells) {

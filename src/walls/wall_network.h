@@ -62,7 +62,8 @@ class WallNetwork {
 /// Number of the format of network files. A file of another format is refused.
 constexpr int kWallNetworkFormat = 1;
 
-/// Reads a network from JSON: `{format, inputs: [NAME], layers: [{edge, weights, bias}]}`.
+/// Reads a network from JSON: `{format, inputs: [NAME], layers: [{edge, weights, bias}]}`. Other
+/// keys are for people: `made_by` says how the network was trained.
 /// @param name  of the file, for messages
 /// @throw InputError with the name of the file, the part that is missing or malformed, and a
 /// remedy.

@@ -48,6 +48,10 @@ class BadOutput(CommandLine):
     def test_a_model_that_cannot_be_written_is_told_before_it_is_fitted(self):
         run = self.sfw("fit", "--drives", 10, "--cells", 10, "--output", "/proc/sfw_fit/model.yaml")
         self.bad(run, "/proc/sfw_fit")
+
+    def test_a_folder_of_drives_that_cannot_be_made_is_told_before_they_are_simulated(self):
+        run = self.sfw("wall-drives", "--drives", 100000, "--output", "/proc/sfw_drives")
+        self.bad(run, "/proc/sfw_drives")
         self.assertNotIn("done", run.stderr)
 
     def test_a_picture_that_cannot_be_written_costs_no_metrics(self):

@@ -17,7 +17,8 @@ from command_line_case import HEADER, MAP_FILES, NEAR, STRANGER, CommandLine, ro
 
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-COMMANDS = ("map", "evaluate", "visibility", "dense", "choose-sites", "simulate", "bench", "fit")
+COMMANDS = ("map", "evaluate", "visibility", "dense", "choose-sites", "simulate", "bench", "fit",
+            "wall-drives")
 OPTION_OF = {"evaluate": "--json", "choose-sites": "--count"}
 
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "structure_from_wifi/input_error.h"
@@ -73,6 +74,20 @@ TEST(WallNetwork, NamesWhatIsWrongInAFile) {
       std::string::npos);
   EXPECT_NE(errorOf(replaced(good, "[\"a\"]", "[\"a\", \"b\"]")).find("do not fit each other"),
             std::string::npos);
+}
+
+TEST(WallNetwork, AFileMaySayHowItWasMade) {
+  const std::string made = replaced(copyingNetwork(), "{", "{\"made_by\": {\"seed\": 1}, ");
+  EXPECT_EQ(errorOf(made), "no error");
+}
+
+TEST(WallNetwork, WithoutRadioOnlyKnownInputsAreLeftOut) {
+  const std::vector<std::string> all = networkInputNames();
+  const std::vector<std::string> radio = networkRadioInputNames();
+  EXPECT_LT(radio.size(), all.size());
+  for (const std::string& name : radio) {
+    EXPECT_EQ(std::count(all.begin(), all.end(), name), 1) << name;
+  }
 }
 
 TEST(WallNetwork, TheShippedOneSeesTheInputsThatTheMapperMakes) {
