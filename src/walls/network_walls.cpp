@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "grid/robot_evidence.h"
 #include "walls/network_inputs.h"
 
 namespace sfw {
