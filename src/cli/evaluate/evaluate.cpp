@@ -184,8 +184,8 @@ void printTables(const EvaluateOptions& options, const EvaluationInput& input,
     std::cout << "AUC:    left out; it needs probability.yaml beside the map, or --probability\n";
   }
   if (!results.ablations) {
-    std::cout << "radio:  --ablations shows beside it what maps without radio know; it maps the "
-                 "readings nine times\n";
+    std::cout << "radio:  --ablations with --access-points shows what maps without the true radio "
+                 "know; it maps the readings nine times\n";
   }
   if (options.all) {
     std::cout << '\n';

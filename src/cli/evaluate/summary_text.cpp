@@ -67,13 +67,8 @@ void printSummary(std::ostream& out, const NavigationEvaluation& navigation,
     }
     out << "   " << row.good << '\n';
   }
-  const std::size_t pairs = navigation.pairs().count();
-  out << "\nwalls:  " << pairs << " pairs of places of the path";
-  if (pairs > 0) {
-    out << ", a true wall between "
-        << formatted("%.0f %%", 100.0 * static_cast<double>(navigation.pairs().walls()) /
-                                    static_cast<double>(pairs));
-  }
+  out << "\nwalls:  " << navigation.pairs().count() << " pairs of places of the path, "
+      << navigation.pairs().walls() << " with a true wall between";
   out << "\nroutes: " << navigation.routes().count()
       << " between places that the truth connects, within 2 m of the path\n";
 }
