@@ -21,7 +21,8 @@ import junit  # noqa: E402
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 RECORDINGS = pathlib.Path(os.environ.get("SFW_SHARED", ROOT.parent / "shared"),
                           "data", "recordings")
-SHOWN = ["free_precision", "free_precision_tolerant", "free_recall", "free_iou", "beyond_m2",
+SHOWN = ["knows_wall_f1", "knows_wall_auc", "plans_through_walls", "places_reached",
+         "free_precision", "free_precision_tolerant", "free_recall", "free_iou", "beyond_m2",
          "beyond_precision", "wall_f1_2", "wall_in_free", "walls_called_free", "auc"]
 
 
@@ -58,20 +59,23 @@ class Recordings(unittest.TestCase):
                                       text(metrics["path_only"][metric])))
         return metrics["map"]
 
-    def check(self, folder, name, precision, iou, wall_f1):
+    def check(self, folder, name, precision, iou, knows_wall_f1):
         metrics = self.metrics(folder, name)
         self.assertGreaterEqual(metrics["free_precision"], precision)
         self.assertGreaterEqual(metrics["free_iou"], iou)
-        self.assertGreaterEqual(metrics["wall_f1_2"], wall_f1)
+        self.assertGreaterEqual(metrics["knows_wall_f1"], knows_wall_f1)
+        return metrics
 
     def test_two_routers(self):
-        self.check("turtlebot_home_a", "two_routers.csv", 0.89, 0.78, 0.40)
+        metrics = self.check("turtlebot_home_a", "two_routers.csv", 0.89, 0.78, 0.72)
+        self.assertLessEqual(metrics["plans_through_walls"], 0.15)
 
     def test_one_router(self):
-        self.check("turtlebot_home_a", "one_router.csv", 0.89, 0.78, 0.40)
+        self.check("turtlebot_home_a", "one_router.csv", 0.89, 0.78, 0.55)
 
     def test_ble_flat(self):
-        self.check("ble_flat", "survey.csv", 0.94, 0.80, 0.28)
+        metrics = self.check("ble_flat", "survey.csv", 0.94, 0.78, 0.70)
+        self.assertLessEqual(metrics["plans_through_walls"], 0.12)
 
 
 if __name__ == "__main__":
