@@ -122,7 +122,8 @@ std::shared_ptr<const Snapshot> Mapper::inferWithoutRadio() const {
 std::shared_ptr<const Snapshot> Mapper::infer(UseRadio use_radio,
                                               const std::atomic<bool>& stop) const {
   Inliers inliers = store_->inliers();
-  // At a touch the contact lies at the edge of the footprint, so half of its radius is clearly over.
+  // At a touch the contact lies at the edge of the footprint, so half of its radius is clearly
+  // over.
   removeDrivenOver(inliers.path, 0.5 * config_.path.footprint_radius_m, config_.path.max_gap_m,
                    inliers.contacts);
   const Box extent = store_->extentOf(inliers);

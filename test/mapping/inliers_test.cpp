@@ -58,9 +58,8 @@ TEST(Inliers, KeepTheStrongestReadingOfARadioAtAStamp) {
 // ---- Contacts that the robot drove over ----
 
 /// A drive along x = 0..2 m, a pose each second.
-const std::vector<PathPose> kDrive{{0, {0.0, 0.0}, 0},
-                                   {1'000'000'000, {1.0, 0.0}, 0},
-                                   {2'000'000'000, {2.0, 0.0}, 0}};
+const std::vector<PathPose> kDrive{
+    {0, {0.0, 0.0}, 0}, {1'000'000'000, {1.0, 0.0}, 0}, {2'000'000'000, {2.0, 0.0}, 0}};
 
 std::size_t keptOf(const Contact& contact, double max_gap_m = 1.5) {
   std::vector<Contact> contacts{contact};
