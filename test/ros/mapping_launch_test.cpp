@@ -89,16 +89,16 @@ TEST_F(Mapping, MetadataAndProbabilityBelongToTheMap) {
     ASSERT_TRUE(percent >= -1 && percent <= 100) << percent;
   }
   EXPECT_GT(count(*world().probability, -1), 0U) << "no cell is unknown";
+  ASSERT_NE(world().path, nullptr);
+  ASSERT_FALSE(world().path->poses.empty());
   const nav_msgs::MapMetaData& info = world().map->info;
-  for (int i = 0; i < kScans; ++i) {
-    const Position position = drivenTo(i);
-    const auto column =
-        static_cast<std::size_t>((position.x() - info.origin.position.x) / info.resolution);
-    const auto row =
-        static_cast<std::size_t>((position.y() - info.origin.position.y) / info.resolution);
-    const std::size_t cell = row * info.width + column;
-    EXPECT_EQ(static_cast<int>(world().map->data[cell]), 0) << i;
-    EXPECT_LE(static_cast<int>(world().probability->data[cell]), 2) << i;
+  for (const geometry_msgs::PoseStamped& pose : world().path->poses) {
+    const double x = (pose.pose.position.x - info.origin.position.x) / info.resolution;
+    const double y = (pose.pose.position.y - info.origin.position.y) / info.resolution;
+    const std::size_t cell = static_cast<std::size_t>(y) * info.width + static_cast<std::size_t>(x);
+    EXPECT_EQ(static_cast<int>(world().map->data[cell]), 0) << x << ", " << y;
+    EXPECT_GE(static_cast<int>(world().probability->data[cell]), 0) << x << ", " << y;
+    EXPECT_LE(static_cast<int>(world().probability->data[cell]), 2) << x << ", " << y;
   }
 }
 

@@ -22,7 +22,6 @@
 
 #include "octomap_reader.h"
 #include "static_layer.h"
-#include "structure_from_wifi/grid_geometry.h"
 #include "support/slowdown.h"
 
 namespace sfw {
@@ -76,13 +75,6 @@ class LaunchWorld : public testing::Test {
               60.0 * kSlowdown);
   }
 
-  static constexpr int kScans = 240;  ///< of drive()
-
-  /// The position of the robot at a scan of drive().
-  static Position drivenTo(int scan) {
-    return {1.0 + 0.025 * scan, 2.0 + 0.3 * std::sin(0.05 * scan)};
-  }
-
   /// Drives along x = 1..7 m past a wall, faster than real time; false if nobody listens.
   static bool drive() {
     ros::NodeHandle node;
@@ -92,11 +84,11 @@ class LaunchWorld : public testing::Test {
                    30.0)) {
       return false;
     }
+    constexpr int kScans = 240;
     const ros::Time start = ros::Time::now() - ros::Duration(3.0);
     for (int i = 0; i < kScans; ++i) {
       const ros::Time stamp = start + ros::Duration(0.01 * i);
-      const Position position = drivenTo(i);
-      transforms.publish(pose(stamp, position.x(), position.y()));
+      transforms.publish(pose(stamp, 1.0 + 0.025 * i, 2.0 + 0.3 * std::sin(0.05 * i)));
       scans.publish(
           scan(stamp, i > kScans / 2 ? -58.0F : -40.0F, i > kScans / 3 ? -41.0F : -60.0F));
       ros::spinOnce();
