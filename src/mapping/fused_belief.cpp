@@ -116,13 +116,7 @@ std::vector<std::vector<double>> sampleLosses(const DriveData& drive,
   return losses_db;
 }
 
-}  // namespace
-
-FusedBelief inferOccupancyByTomography(const GridGeometry& geometry, const DriveData& drive,
-                                       const BeliefModel& model,
-                                       const std::optional<WallNetwork>& network,
-                                       const Config& config, UseRadio use_radio,
-                                       const std::atomic<bool>& stop) {
+FusedBelief withoutEvidence(const GridGeometry& geometry, const DriveData& drive) {
   FusedBelief belief{Grid<float>(geometry, kUnknownOccupancy),
                      Grid<float>(geometry, kUnknownOccupancy),
                      Grid<float>(geometry),
@@ -132,15 +126,38 @@ FusedBelief inferOccupancyByTomography(const GridGeometry& geometry, const Drive
                      {},
                      {}};
   belief.sample_loss_db.resize(drive.access_points.size());
+  return belief;
+}
+
+Config onCellsOfNetwork(Config config) {
+  config.map.resolution_m = kNetworkCellM;
+  return config;
+}
+
+/// Enters what the network finds.
+/// @param footprint  of the robot, on the map
+/// @return the cells of walls on the map
+Mask enterFindings(const NetworkFindings& found, const GridGeometry& building,
+                   const Mask& footprint, FusedBelief& belief) {
+  belief.walls = segmentsInMap(found.walls, building, belief.frame);
+  belief.occupied = occupancyOnMap(footprint.geometry, found.free, belief.frame);
+  belief.probability = probabilityByNetwork(footprint.geometry, found, belief.frame);
+  return wallsOnMap(found.walls, building, belief.frame, footprint);
+}
+
+}  // namespace
+
+FusedBelief inferOccupancyByTomography(const GridGeometry& geometry, const DriveData& drive,
+                                       const BeliefModel& model,
+                                       const std::optional<WallNetwork>& network,
+                                       const Config& config, UseRadio use_radio,
+                                       const std::atomic<bool>& stop) {
+  FusedBelief belief = withoutEvidence(geometry, drive);
   if (drive.path.empty()) {
     return belief;
   }
-  Config features_config = config;
-  if (network) {
-    features_config.map.resolution_m = kNetworkCellM;
-  }
-  const DriveFeatures features =
-      extractDriveFeatures(drive, features_config, stop, kTrustedVariance);
+  const DriveFeatures features = extractDriveFeatures(
+      drive, network ? onCellsOfNetwork(config) : config, stop, kTrustedVariance);
   if (stop) {
     return belief;
   }
@@ -148,24 +165,29 @@ FusedBelief inferOccupancyByTomography(const GridGeometry& geometry, const Drive
   belief.style = model.shares(features.cells.style);
   belief.explained_variance = features.cells.explained_variance;
   const Grid<float> free = freeProbability(features.cells, model, belief.style, use_radio);
+  const double radius_m = config.path.footprint_radius_m;
   const Mask path = cellsCrossed(geometry, drive.path, config.path.max_gap_m);
   Mask walls(geometry);
   if (network) {
-    const NetworkFindings found = findWallsByNetwork(features, model, belief.style, use_radio, free,
-                                                     1.0 - config.belief.free_threshold, *network);
-    const Mask footprint = dilated(path, config.path.footprint_radius_m / geometry.resolution());
-    walls = wallsOnMap(found.walls, features.cells.geometry, features.frame, footprint);
-    belief.walls = segmentsInMap(found.walls, features.cells.geometry, features.frame);
-    belief.occupied = occupancyOnMap(geometry, found.free, features.frame);
-    belief.probability = probabilityByNetwork(geometry, found, features.frame);
+    const NetworkFindings found =
+        findWallsByNetwork(features, model, belief.style, use_radio, free,
+                           1.0 - config.belief.free_threshold, *network, stop);
+    if (stop) {
+      return belief;
+    }
+    walls = enterFindings(found, features.cells.geometry,
+                          dilated(path, radius_m / geometry.resolution()), belief);
   } else {
     belief.occupied = occupancyOnMap(geometry, free, features.frame);
     belief.probability = belief.occupied;
   }
   belief.wall_loss = onMap(geometry, features.walls.loss_db, features.frame, 0.0F);
   belief.sample_loss_db = sampleLosses(drive, features);
+  if (stop) {
+    return belief;
+  }
   for (Grid<float>* occupied : {&belief.occupied, &belief.probability}) {
-    stampFootprintAndContacts(path, drive.contacts, config.path.footprint_radius_m, *occupied);
+    stampFootprintAndContacts(path, drive.contacts, radius_m, *occupied);
   }
   labelFreeAndRim(path, walls, config.belief, belief.occupied);
   return belief;

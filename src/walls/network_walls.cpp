@@ -33,11 +33,11 @@ StateProbabilities statesByNetwork(const Channels& output, std::size_t cell, flo
 NetworkFindings findWallsByNetwork(const DriveFeatures& features, const BeliefModel& model,
                                    const StyleShares& style, UseRadio use_radio,
                                    const Grid<float>& free, double free_above,
-                                   const WallNetwork& network) {
+                                   const WallNetwork& network, const std::atomic<bool>& stop) {
   const CellFeatures& cells = features.cells;
   const Mask footprint = footprintOf(features.path);
   const Channels output =
-      network.apply(networkInputs(features, footprint, model, style, use_radio, free));
+      network.apply(networkInputs(features, footprint, model, style, use_radio, free), stop);
   Grid<float> density(cells.geometry);
   Mask is_free = footprint;
   for (const std::size_t i : cells.cells) {

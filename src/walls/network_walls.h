@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <vector>
 
 #include "base/use_radio.h"
@@ -24,10 +25,11 @@ struct NetworkFindings {
 /// @param style     share of the belief model for each driving style
 /// @param free      probability of free space, with the same radio, as of freeProbability
 /// @param free_above cells above this probability are free for the ends of walls
+/// @param stop       polled; when it turns true the result is incomplete
 /// O(cells x weights of the network).
 NetworkFindings findWallsByNetwork(const DriveFeatures& features, const BeliefModel& model,
                                    const StyleShares& style, UseRadio use_radio,
                                    const Grid<float>& free, double free_above,
-                                   const WallNetwork& network);
+                                   const WallNetwork& network, const std::atomic<bool>& stop);
 
 }  // namespace sfw

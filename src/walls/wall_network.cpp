@@ -65,11 +65,18 @@ WallNetwork::WallNetwork(std::vector<std::string> inputs, std::array<Convolution
   }
 }
 
-Channels WallNetwork::convolved(Layer layer, const Channels& input) const {
+Channels WallNetwork::convolved(Layer layer, const Channels& input,
+                                const std::atomic<bool>& stop) const {
+  if (stop) {
+    return Channels(layers_[layer].outputs, input.height(), input.width());
+  }
   return convolve(input, layers_[layer], layer == kOutput ? Activation::kNone : Activation::kRelu);
 }
 
-Channels WallNetwork::apply(const Channels& rasters) const {
+Channels WallNetwork::apply(const Channels& rasters, const std::atomic<bool>& stop) const {
+  const auto convolved = [&](Layer layer, const Channels& input) {
+    return this->convolved(layer, input, stop);
+  };
   Channels padded(rasters.count(), roundedUp(rasters.height()), roundedUp(rasters.width()));
   copyShared(rasters, padded);
   const Channels fine = convolved(kFine1, convolved(kFine0, padded));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <string>
 #include <vector>
 
@@ -48,12 +49,13 @@ class WallNetwork {
 
   /// Applies the network.
   /// @param rasters  one channel for each of inputs(), of any size
+  /// @param stop     polled; when it turns true the result is incomplete
   /// @return kOutputs channels of the same size
   /// @throw std::invalid_argument if the number of channels is another.
-  Channels apply(const Channels& rasters) const;
+  Channels apply(const Channels& rasters, const std::atomic<bool>& stop) const;
 
  private:
-  Channels convolved(Layer layer, const Channels& input) const;
+  Channels convolved(Layer layer, const Channels& input, const std::atomic<bool>& stop) const;
 
   std::vector<std::string> inputs_;
   std::array<Convolution, kLayers> layers_;
