@@ -20,7 +20,7 @@ struct NavigationMetrics {
 /// Nothing depends on the order of the path or on gaps in it. Immutable, so threads may share it.
 class NavigationEvaluation {
  public:
-  /// Starts of routes that give shares with a standard error of about 1 %.
+  /// Starts of routes that give shares with a standard error of 1 to 2 %.
   static constexpr std::size_t kStarts = 200;
 
   /// @param path    positions [m]
