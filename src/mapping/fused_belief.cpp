@@ -53,20 +53,21 @@ Grid<float> occupancyOnMap(const GridGeometry& geometry, const Grid<float>& free
   return occupied;
 }
 
-/// The cells of walls on the grid of a map, as lines of one cell. The robot's footprint stays free
-/// of them.
-/// @param building   grid of the walls' cells, building frame
-/// @param footprint  of the robot, on the map
+/// The cells of walls on the grid of a map, as lines of one cell. Outer walls are not among them:
+/// early in a drive the network expects some where the robot has not been yet, and these would shut
+/// it in.
+/// @param building  grid of the walls' cells, building frame
+/// @param open      cells on the map that no wall may take
 Mask wallsOnMap(const std::vector<StripWall>& found, const GridGeometry& building,
-                const BuildingFrame& frame, const Mask& footprint) {
-  Mask walls(footprint.geometry);
+                const BuildingFrame& frame, const Mask& open) {
+  Mask walls(open.geometry);
   const auto occupy = [&](Cell c) {
-    if (walls.geometry.contains(c) && footprint[c] == 0) {
+    if (walls.geometry.contains(c) && open[c] == 0) {
       walls[c] = 1;
     }
   };
   for (const StripWall& wall : found) {
-    for (std::size_t i = 1; i < wall.cells.size(); ++i) {
+    for (std::size_t i = 1; !wall.is_outer && i < wall.cells.size(); ++i) {
       const Position from = frame.toMap(building.centre(wall.cells[i - 1]));
       const Position to = frame.toMap(building.centre(wall.cells[i]));
       Ray(walls.geometry, from, to).forEachCell(occupy);
@@ -135,14 +136,14 @@ Config onCellsOfNetwork(Config config) {
 }
 
 /// Enters what the network finds.
-/// @param footprint  of the robot, on the map
+/// @param open  cells on the map that no wall may take
 /// @return the cells of walls on the map
-Mask enterFindings(const NetworkFindings& found, const GridGeometry& building,
-                   const Mask& footprint, FusedBelief& belief) {
+Mask enterFindings(const NetworkFindings& found, const GridGeometry& building, const Mask& open,
+                   FusedBelief& belief) {
   belief.walls = segmentsInMap(found.walls, building, belief.frame);
-  belief.occupied = occupancyOnMap(footprint.geometry, found.free, belief.frame);
-  belief.probability = probabilityByNetwork(footprint.geometry, found, belief.frame);
-  return wallsOnMap(found.walls, building, belief.frame, footprint);
+  belief.occupied = occupancyOnMap(open.geometry, found.free, belief.frame);
+  belief.probability = probabilityByNetwork(open.geometry, found, belief.frame);
+  return wallsOnMap(found.walls, building, belief.frame, open);
 }
 
 }  // namespace
@@ -175,8 +176,10 @@ FusedBelief inferOccupancyByTomography(const GridGeometry& geometry, const Drive
     if (stop) {
       return belief;
     }
-    walls = enterFindings(found, features.cells.geometry,
-                          dilated(path, radius_m / geometry.resolution()), belief);
+    // One more cell than the footprint stays open, so that a planner that rounds to cells can drive
+    // the robot's way again.
+    const Mask open = dilated(path, radius_m / geometry.resolution() + 1.0);
+    walls = enterFindings(found, features.cells.geometry, open, belief);
   } else {
     belief.occupied = occupancyOnMap(geometry, free, features.frame);
     belief.probability = belief.occupied;

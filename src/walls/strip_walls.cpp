@@ -272,17 +272,19 @@ StripFindings findStripWalls(const Mask& footprint, const Grid<float>& density, 
     const StripSearch& strips;
     const Mask& allowed;  // walls stand in these cells
     const Mask& growth;   // ends grow through these cells
+    bool is_outer;
   };
-  const Search searches[] = {{rows.between, everywhere, free},
-                             {columns.between, everywhere, free},
-                             {rows.beyond, not_free, not_free},
-                             {columns.beyond, not_free, not_free}};
+  const Search searches[] = {{rows.between, everywhere, free, false},
+                             {columns.between, everywhere, free, false},
+                             {rows.beyond, not_free, not_free, true},
+                             {columns.beyond, not_free, not_free, true}};
   StripFindings findings{
       {},
       openCells(rows.between, columns.between, static_cast<float>(config.most_expected_if_open))};
   std::vector<const Search*> found_by;
   for (const Search& search : searches) {
     for (StripWall& wall : search.strips.find(search.allowed)) {
+      wall.is_outer = search.is_outer;
       findings.walls.push_back(std::move(wall));
       found_by.push_back(&search);
     }

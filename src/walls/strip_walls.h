@@ -10,6 +10,7 @@ namespace sfw {
 struct StripWall {
   std::vector<Cell> cells;  ///< along the wall; successive ones share an edge
   double expected = 0.0;    ///< number of walls across the strip, mean along the wall
+  bool is_outer = false;    ///< beyond the outermost passes, so that no ray can confirm it
 };
 
 /// Settings of findStripWalls.
