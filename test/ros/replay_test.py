@@ -90,7 +90,7 @@ class Replay(unittest.TestCase):
                      if (made / file).read_bytes() != (maps[0] / file).read_bytes()]
         self.assertEqual(differing, [], "these are not those of %s" % maps[0].name)
         pixels = (maps[0] / "map.pgm").read_bytes()
-        self.assertTrue(bytes([0]) in pixels and bytes([254]) in pixels, "the map is empty")
+        self.assertGreater(pixels.count(bytes([254])), 100, "hardly a cell is free")
         return maps
 
     def test_a_drive_gives_one_map_by_all_ways(self):
