@@ -16,8 +16,10 @@ const std::vector<Position>& usable(const std::vector<Position>& path,
 }  // namespace
 
 NavigationEvaluation::NavigationEvaluation(const Grid<CellState>& truth,
-                                           const std::vector<Position>& path, std::size_t starts)
-    : pairs_(truth, usable(path, truth)), routes_(truth, drawRoutes(truth, path, starts)) {}
+                                           const std::vector<Position>& path,
+                                           const NavigationSample& sample)
+    : pairs_(truth, usable(path, truth), sample.most_pairs),
+      routes_(truth, drawRoutes(truth, path, sample.starts)) {}
 
 NavigationMetrics NavigationEvaluation::metricsOf(
     const Grid<CellState>& map, const std::optional<Grid<float>>& probabilities) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -14,21 +15,24 @@ struct NavigationMetrics {
   std::optional<RouteMetrics> routes;
 };
 
+/// How much an evaluation asks. The defaults give shares of routes with a standard error of 1 to
+/// 2 %, in seconds.
+struct NavigationSample {
+  std::size_t most_pairs = 50000;  ///< of places of the path
+  std::size_t starts = 200;        ///< of routes
+};
+
 /// Asks maps of one place for walls between places of a path, and for routes near it.
 ///
 /// It takes the truth as it is: rooms that the path never entered count too.
 /// Nothing depends on the order of the path or on gaps in it. Immutable, so threads may share it.
 class NavigationEvaluation {
  public:
-  /// Starts of routes that give shares with a standard error of 1 to 2 %.
-  static constexpr std::size_t kStarts = 200;
-
-  /// @param path    positions [m]
-  /// @param starts  of routes; fewer take less time
+  /// @param path  positions [m]
   /// @throw std::invalid_argument if a position or the truth's origin is not finite and below
   /// 1000 km
   NavigationEvaluation(const Grid<CellState>& truth, const std::vector<Position>& path,
-                       std::size_t starts = kStarts);
+                       const NavigationSample& sample = NavigationSample());
 
   /// @param probabilities  of being occupied; may be absent, then there is no AUC
   NavigationMetrics metricsOf(const Grid<CellState>& map,

@@ -28,9 +28,9 @@ class Benchmark {
         input_.path.push_back(reading.antenna_in_map);
       }
     }
-    constexpr std::size_t kStarts = 40;  // tables average over drives, so few routes do
+    const NavigationSample sample{2000, 5};  // few, since tables average over drives
     input_.navigation =
-        std::make_shared<const NavigationEvaluation>(input_.truth, input_.path, kStarts);
+        std::make_shared<const NavigationEvaluation>(input_.truth, input_.path, sample);
     for (const AccessPoint& access_point : access_points_) {
       input_.access_points.push_back(access_point.position);
     }

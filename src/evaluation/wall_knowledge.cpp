@@ -113,20 +113,21 @@ class PlacePairs::DistanceToPath {
   NearestNeighbours neighbours_;
 };
 
-PlacePairs::PlacePairs(const Grid<CellState>& truth, const std::vector<Position>& path) {
+PlacePairs::PlacePairs(const Grid<CellState>& truth, const std::vector<Position>& path,
+                       std::size_t most) {
   Random random(0, streamOf(Purpose::kEvaluatedPlaces), 0);
   std::size_t found = 0;
   // Reservoir sampling (Vitter 1985, algorithm R): each pair has the same chance to stay.
   const Places places = placesOf(path);
   forEachPair(places, [&](const Position& from, const Position& to) {
     ++found;
-    if (pairs_.size() < kMostPairs) {
+    if (pairs_.size() < most) {
       pairs_.push_back({from, to, false, {}});
       return;
     }
     const auto drawn =
         static_cast<std::size_t>(std::ceil(random.uniform(0.0, static_cast<double>(found)))) - 1;
-    if (drawn < kMostPairs) {
+    if (drawn < most) {
       pairs_[drawn] = {from, to, false, {}};
     }
   });

@@ -24,7 +24,7 @@ struct WallKnowledge {
 ///
 /// It does not matter where between the places a map draws a wall. A place is the first position in
 /// the order of x, then y, within each square of 0.2 m. A pair lies over 0.5 m and up to 3 m apart.
-/// Of more than kMostPairs pairs, that many are drawn at random, by a fixed seed.
+/// Of more than `most` pairs, that many are drawn at random, by a fixed seed.
 ///
 /// A line between two places is looked at in kSamples points.
 /// In truth, a wall stands there if a point farther than 0.1 m from the path lies on an occupied
@@ -32,12 +32,12 @@ struct WallKnowledge {
 /// A map calls a wall if a point farther than 0.15 m from the path lies on a cell that is not free.
 class PlacePairs {
  public:
-  static constexpr std::size_t kMostPairs = 50000;
   static constexpr std::size_t kSamples = 121;
 
   /// @param path  positions [m], finite and below 1000 km; their order does not matter
+  /// @param most  pairs
   /// O(cells of the truth + pairs of places).
-  PlacePairs(const Grid<CellState>& truth, const std::vector<Position>& path);
+  PlacePairs(const Grid<CellState>& truth, const std::vector<Position>& path, std::size_t most);
 
   std::size_t count() const { return pairs_.size(); }
 

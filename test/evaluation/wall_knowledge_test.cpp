@@ -12,6 +12,7 @@ namespace {
 
 using test::twoRooms;
 
+constexpr std::size_t kMostPairs = 50000;
 constexpr std::int64_t kNoWall = 0;
 constexpr std::int64_t kClosed = 20;
 
@@ -20,11 +21,11 @@ constexpr std::int64_t kClosed = 20;
 const std::vector<Position> kPath{{0.85, 0.65}, {2.45, 0.65}, {0.85, 1.65}, {2.45, 1.65}};
 
 WallKnowledge knowledgeOf(const Grid<CellState>& map) {
-  return PlacePairs(twoRooms(), kPath).knowledgeOf(map, std::nullopt);
+  return PlacePairs(twoRooms(), kPath, kMostPairs).knowledgeOf(map, std::nullopt);
 }
 
 TEST(WallKnowledge, CountsThePairsAndTheirWalls) {
-  const PlacePairs pairs(twoRooms(), kPath);
+  const PlacePairs pairs(twoRooms(), kPath, kMostPairs);
   EXPECT_EQ(pairs.count(), 6U);
   EXPECT_EQ(pairs.walls(), 3U);
 }
@@ -71,13 +72,13 @@ TEST(WallKnowledge, OutsideTheMapNothingIsFree) {
 TEST(WallKnowledge, ClutterIsNoWall) {
   Grid<CellState> truth = twoRooms();
   forEachCell({6, 11}, {14, 11}, [&](Cell c) { truth[c] = CellState::kOccupied; });  // 0.9 m
-  EXPECT_EQ(PlacePairs(truth, kPath).walls(), 3U);
+  EXPECT_EQ(PlacePairs(truth, kPath, kMostPairs).walls(), 3U);
   truth[{5, 12}] = CellState::kOccupied;  // touches by its corner: 1.0 m, between A and C
-  EXPECT_EQ(PlacePairs(truth, kPath).walls(), 4U);
+  EXPECT_EQ(PlacePairs(truth, kPath, kMostPairs).walls(), 4U);
 }
 
 TEST(WallKnowledge, WhatThePathTouchesIsNoWall) {
-  const PlacePairs touching(twoRooms(), {{0.85, 0.65}, {1.65, 0.65}});
+  const PlacePairs touching(twoRooms(), {{0.85, 0.65}, {1.65, 0.65}}, kMostPairs);
   EXPECT_EQ(touching.count(), 1U);
   EXPECT_EQ(touching.walls(), 0U);
 }
@@ -87,24 +88,24 @@ TEST(WallKnowledge, OrderAndRepeatsOfThePathDoNotMatter) {
   path.insert(path.end(), kPath.begin(), kPath.end());
   path.emplace_back(0.87, 0.67);  // the same place as A
   std::reverse(path.begin(), path.end());
-  const PlacePairs pairs(twoRooms(), path);
+  const PlacePairs pairs(twoRooms(), path, kMostPairs);
   EXPECT_EQ(pairs.count(), 6U);
   EXPECT_EQ(pairs.knowledgeOf(twoRooms(8), std::nullopt).f1, 0.5);
 }
 
 TEST(WallKnowledge, OfPlacesTooNearOrTooFarIsNotAsked) {
-  EXPECT_EQ(PlacePairs(twoRooms(), {{0.5, 0.5}, {0.95, 0.5}, {9.0, 0.5}}).count(), 0U);
-  EXPECT_EQ(PlacePairs(twoRooms(), {}).count(), 0U);
+  EXPECT_EQ(PlacePairs(twoRooms(), {{0.5, 0.5}, {0.95, 0.5}, {9.0, 0.5}}, kMostPairs).count(), 0U);
+  EXPECT_EQ(PlacePairs(twoRooms(), {}, kMostPairs).count(), 0U);
 }
 
 TEST(WallKnowledge, WithoutAWallInTruthF1HasNoMeaning) {
-  const PlacePairs pairs(twoRooms(kNoWall), kPath);
+  const PlacePairs pairs(twoRooms(kNoWall), kPath, kMostPairs);
   EXPECT_FALSE(pairs.knowledgeOf(twoRooms(), std::nullopt).f1);
   EXPECT_FALSE(pairs.knowledgeOf(twoRooms(), Grid<float>(twoRooms().geometry, 0.5F)).auc);
 }
 
 TEST(WallKnowledge, AucComparesTheGreatestProbabilities) {
-  const PlacePairs pairs(twoRooms(), kPath);
+  const PlacePairs pairs(twoRooms(), kPath, kMostPairs);
   Grid<float> probabilities(twoRooms().geometry, 0.1F);
   EXPECT_EQ(pairs.knowledgeOf(twoRooms(), probabilities).auc, 0.5);
   forEachCell({16, 1}, {16, 8}, [&](Cell c) { probabilities[c] = 0.9F; });
@@ -123,8 +124,8 @@ double shareOfWalls(std::int64_t wall_column) {
   forEachCell({0, 0}, {49, 49}, [&](Cell c) {
     path.emplace_back(0.4 * static_cast<double>(c.x) + 0.2, 0.4 * static_cast<double>(c.y) + 0.2);
   });
-  const PlacePairs pairs(hall, path);
-  EXPECT_EQ(pairs.count(), PlacePairs::kMostPairs);
+  const PlacePairs pairs(hall, path, kMostPairs);
+  EXPECT_EQ(pairs.count(), kMostPairs);
   return static_cast<double>(pairs.walls()) / static_cast<double>(pairs.count());
 }
 
