@@ -130,8 +130,9 @@ struct Snapshot {
 
   Box extent = {};  ///< of access points, path and contacts, without the map's margin [m]
 
-  /// Walls between two passes of the robot, which the map also shows as occupied cells. Only method
-  /// tomography with `belief/walls: network` finds them.
+  /// Walls beside the way of the robot. The map shows those between two passes as occupied cells;
+  /// cells of outer walls stay unknown. Only method tomography with `belief/walls: network` finds
+  /// walls.
   std::vector<WallSegment> walls = {};
 };
 

@@ -10,7 +10,7 @@ struct WallSegment {
   Position to = Position::Zero();    ///< the other end [m], map frame
 
   /// Probability that a wall stands there, as the network of walls expects it: 1 - exp(-n), n being
-  /// the expected number of walls between the two passes of the robot. In (0, 1).
+  /// the expected number of walls across the strip that is searched. In (0, 1).
   double confidence = 0.0;
 };
 

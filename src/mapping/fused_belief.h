@@ -39,10 +39,10 @@ struct FusedBelief {
 /// (doc/method/belief.md).
 ///
 /// Cells below belief/free_threshold are connected with the path. Cells above
-/// belief/occupied_threshold are the rim of those, or contacts. All other cells with evidence lie
-/// in between, because the data do not show whether a wall stands there.
+/// belief/occupied_threshold are walls between two passes, contacts, or an occupied rim. All other
+/// cells with evidence lie in between, because the data do not show whether a wall stands there.
 /// @param geometry   of the map
-/// @param network    finds walls between passes of the robot; no such walls without it
+/// @param network    finds walls beside the way of the robot; no such walls without it
 /// @param use_radio  kNo: the ablation without signal strength
 /// @param stop       polled; when it turns true the result is incomplete
 /// @throw as extractDriveFeatures
