@@ -76,6 +76,12 @@ TEST(SharedMapper, TakesReadingsWhileAMapIsInferred) {
 
 class LiveMappingTest : public NodeletWorld {
  protected:
+  void SetUp() override {
+    NodeletWorld::SetUp();
+    // The clock leaps by whole legs, and a scan may come before its poses: no wait is too long.
+    ros::param::set(name_ + "/mapping/ros/transform_timeout", 2.0 * kLegs * kLegTime);
+  }
+
   /// A leg as two poses and one late scan with all readings in between.
   void sendLeg(int leg) {
     const double start_s = kLegTime * leg;
