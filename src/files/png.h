@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "files/pgm.h"
@@ -16,8 +17,19 @@ struct TranslucentImage {
   std::vector<std::uint8_t> opacity;  ///< of each pixel: 0 is transparent, 255 opaque
 };
 
-/// Reads a PNG and converts it to grey values. An image without opacity is opaque.
-/// @throw InputError naming the file if it cannot be read, is cut short or has another format.
+/// Larger images are refused. Decoding takes at most 6 bytes a pixel.
+constexpr std::int64_t kMostPngPixels = 64'000'000;
+
+/// Whether bytes begin with the signature of a PNG.
+bool isPng(std::string_view bytes);
+
+/// Reads a PNG of any colour type, depth and interlacing.
+///
+/// Colours become grey by the luma of ITU-R BT.601, and 16 bits are scaled to 8. A gAMA chunk is
+/// ignored, as map_server does. An image without opacity is opaque.
+/// @throw InputError naming the file and a remedy if it cannot be read, has another format, is
+/// damaged or cut short, or has more than kMostPngPixels pixels. The size is checked before any
+/// allocation for the pixels.
 TranslucentImage readPng(const std::string& file);
 
 /// Encodes an image as PNG with 8-bit grey values and opacity.

@@ -9,6 +9,7 @@
 
 #include "base/validation.h"
 #include "files/map_server.h"
+#include "files/png.h"
 #include "files/text.h"
 #include "grid/morphology.h"
 #include "grid/outline_fill.h"
@@ -139,7 +140,7 @@ Grid<CellState> readStates(const std::string& file, const FloorPlanOptions& opti
     case PlanKind::kPicture:
       break;
   }
-  return readFloorPlanPng(file, options, kMostCells);
+  return readFloorPlanPng(file, options);
 }
 
 }  // namespace

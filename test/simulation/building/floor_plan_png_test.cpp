@@ -1,13 +1,16 @@
-#include <cairo.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
+#include "files/png.h"
 #include "simulation/building/floor_plan_io.h"
 #include "support/ascii_world.h"
 #include "support/floor_plan_files.h"
+#include "support/png_writer.h"
 
 namespace sfw {
 namespace {
@@ -18,22 +21,16 @@ class FloorPlanPng : public test::FloorPlanFiles {
  protected:
   /// A PNG of one pixel a character: '#' black, '.' white, 'g' grey, ' ' transparent.
   std::string picture(const Rows& rows) const {
-    const auto width = static_cast<int>(rows.front().size());
-    cairo_surface_t* surface =
-        cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, static_cast<int>(rows.size()));
-    cairo_t* context = cairo_create(surface);
-    for (std::size_t y = 0; y < rows.size(); ++y) {
-      for (std::size_t x = 0; x < rows[y].size(); ++x) {
-        const double light = rows[y][x] == '#' ? 0.0 : rows[y][x] == 'g' ? 0.7 : 1.0;
-        cairo_set_source_rgba(context, light, light, light, rows[y][x] == ' ' ? 0.0 : 1.0);
-        cairo_rectangle(context, static_cast<double>(x), static_cast<double>(y), 1.0, 1.0);
-        cairo_fill(context);
+    TranslucentImage image;
+    image.grey.width = static_cast<std::int64_t>(rows.front().size());
+    image.grey.height = static_cast<std::int64_t>(rows.size());
+    for (const std::string& row : rows) {
+      for (const char c : row) {
+        image.grey.pixels.push_back(c == '#' ? 0 : c == 'g' ? 178 : 255);
+        image.opacity.push_back(c == ' ' ? 0 : 255);
       }
     }
-    cairo_destroy(context);
-    cairo_surface_write_to_png(surface, path("plan.png").c_str());
-    cairo_surface_destroy(surface);
-    return path("plan.png");
+    return write("plan.png", encodePng(image));
   }
 };
 
@@ -79,16 +76,43 @@ TEST_F(FloorPlanPng, SaysWhatIsWrongWithAPicture) {
   EXPECT_EQ(complaintOf(leak), "a PNG has no scale: give metres per pixel");
   options.metres_per_pixel = 0.1;
   EXPECT_NE(complaintOf(leak, options).find("no enclosed room"), std::string::npos);
-  EXPECT_EQ(complaintOf(write("a.png", "nothing of the kind"), options), "not a PNG image");
-
+  EXPECT_EQ(complaintOf(write("a.png", "nothing of the kind"), options),
+            "not a PNG image; convert it, e.g. with ImageMagick");
   std::ifstream stream(leak, std::ios::binary);
   std::string bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
-  EXPECT_EQ(complaintOf(write("b.png", bytes.substr(0, 40)), options),
-            "the PNG image is damaged or cut short");
-  EXPECT_EQ(complaintOf(write("c.png", bytes.substr(0, 20)), options), "not a PNG image");
-  bytes[18] = bytes[22] = '\x7f';  // 32 thousand pixels on each side
-  EXPECT_NE(complaintOf(write("d.png", bytes), options).find("must have 1 to 64000000 pixels"),
+  EXPECT_NE(complaintOf(write("b.png", bytes.substr(0, 40)), options).find("cut short"),
             std::string::npos);
+  const std::string header = test::encoded({}, 32'767, 32'767);
+  EXPECT_NE(complaintOf(write("c.png", header), options).find("must have 1 to 64000000 pixels"),
+            std::string::npos);
+}
+
+TEST_F(FloorPlanPng, MiddleGreyIsWhereWallsBegin) {
+  FloorPlanOptions options;
+  options.metres_per_pixel = 0.2;
+  // A ring of wall around free pixels of different greys, colours and opacities.
+  test::PngContent content{PNG_COLOR_TYPE_RGB_ALPHA, 8, {}};
+  const auto row = [](const std::vector<std::array<std::uint8_t, 4>>& inner) {
+    std::vector<std::uint8_t> bytes{0, 0, 0, 255};
+    for (const auto& pixel : inner) {
+      bytes.insert(bytes.end(), pixel.begin(), pixel.end());
+    }
+    bytes.insert(bytes.end(), {0, 0, 0, 255});
+    return bytes;
+  };
+  const std::array<std::uint8_t, 4> black{0, 0, 0, 255};
+  content.rows = {row({black, black, black, black, black, black}),
+                  row({{127, 127, 127, 255},  // darker than middle grey
+                       {128, 128, 128, 255},
+                       {255, 0, 0, 255},  // red is dark
+                       {0, 255, 0, 255},  // green is bright
+                       {0, 0, 0, 127},    // rather transparent
+                       {255, 255, 255, 128}}),
+                  row({black, black, black, black, black, black})};
+  const FloorPlan plan = readFloorPlan(write("plan.png", test::encoded(content, 8, 3)), options);
+  EXPECT_EQ(test::rowsOf(toStates(plan)), (Rows{"########",  //
+                                                "##.#.?.#",  //
+                                                "########"}));
 }
 
 TEST_F(FloorPlanPng, ContentDecidesWhereTheNameDoesNot) {
