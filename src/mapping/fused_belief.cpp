@@ -98,7 +98,8 @@ std::vector<WallSegment> segmentsInMap(const std::vector<StripWall>& found,
   std::vector<WallSegment> segments;
   for (const StripWall& wall : found) {
     for (const WallSegment& piece : straightPieces(wall, building)) {
-      segments.push_back({frame.toMap(piece.from), frame.toMap(piece.to), piece.confidence});
+      segments.push_back(
+          {frame.toMap(piece.from), frame.toMap(piece.to), piece.confidence, piece.is_outer});
     }
   }
   return segments;

@@ -78,9 +78,13 @@ std::string svgOutlines(const std::vector<std::vector<Position>>& outlines) {
   return path + "\"/>\n";
 }
 
-std::string svgWalls(const std::vector<WallSegment>& walls) {
+/// The outer walls, or all the others.
+std::string svgWalls(const std::vector<WallSegment>& walls, bool outer) {
   std::string lines;
   for (const WallSegment& wall : walls) {
+    if (wall.is_outer != outer) {
+      continue;
+    }
     lines += "<line x1=\"" + thousandths(wall.from.x()) + "\" y1=\"" + thousandths(wall.from.y()) +
              "\" x2=\"" + thousandths(wall.to.x()) + "\" y2=\"" + thousandths(wall.to.y()) +
              "\" stroke-opacity=\"" + thousandths(wall.confidence) + "\"/>\n";
@@ -136,13 +140,15 @@ void addLayer(const char* name, int colour, DxfText& dxf) {
 
 void addTables(DxfText& dxf) {
   constexpr int kRed = 1;
+  constexpr int kPaleRed = 11;
   constexpr int kGrey = 8;
   dxf.add(0, "SECTION").add(2, "TABLES");
   dxf.add(0, "TABLE").add(2, "LTYPE").add(70, 1);
   dxf.add(0, "LTYPE").add(2, "CONTINUOUS").add(70, 0).add(3, "Solid line");
   dxf.add(72, static_cast<int>('A')).add(73, 0).add(40, "0.0").add(0, "ENDTAB");
-  dxf.add(0, "TABLE").add(2, "LAYER").add(70, 2);
+  dxf.add(0, "TABLE").add(2, "LAYER").add(70, 3);
   addLayer("WALLS", kRed, dxf);
+  addLayer("OUTER_WALLS", kPaleRed, dxf);
   addLayer("FREE", kGrey, dxf);
   dxf.add(0, "ENDTAB").add(0, "ENDSEC");
 }
@@ -182,7 +188,8 @@ std::string wallsYaml(const std::vector<WallSegment>& walls) {
   for (const WallSegment& wall : walls) {
     yaml += "  - {from: [" + thousandths(wall.from.x()) + ", " + thousandths(wall.from.y()) +
             "], to: [" + thousandths(wall.to.x()) + ", " + thousandths(wall.to.y()) +
-            "], confidence: " + thousandths(wall.confidence) + "}\n";
+            "], confidence: " + thousandths(wall.confidence) +
+            ", outer: " + (wall.is_outer ? "true" : "false") + "}\n";
   }
   return yaml;
 }
@@ -200,7 +207,10 @@ std::string wallsSvg(const FloorDrawing& drawing) {
          svgLayer("free", drawing.area, "fill=\"#eef3f7\" stroke=\"#9aa5b1\" stroke-width=\"0.02\"",
                   svgOutlines(drawing.free_outlines)) +
          svgLayer("walls", drawing.area, "stroke=\"#8b0000\" stroke-width=\"0.1\"",
-                  svgWalls(drawing.walls)) +
+                  svgWalls(drawing.walls, false)) +
+         svgLayer("outer_walls", drawing.area,
+                  "stroke=\"#8b0000\" stroke-width=\"0.05\" stroke-dasharray=\"0.2 0.1\"",
+                  svgWalls(drawing.walls, true)) +
          svgScaleBar(width, height - kFooterMm) + "</svg>\n";
 }
 
@@ -213,7 +223,10 @@ std::string wallsDxf(const FloorDrawing& drawing) {
     addOutline(outline, dxf);
   }
   for (const WallSegment& wall : drawing.walls) {
-    dxf.add(0, "LINE").add(8, "WALLS").add(10, wall.from).add(11, wall.to);
+    dxf.add(0, "LINE")
+        .add(8, wall.is_outer ? "OUTER_WALLS" : "WALLS")
+        .add(10, wall.from)
+        .add(11, wall.to);
   }
   dxf.add(0, "ENDSEC").add(0, "EOF");
   return dxf.text();

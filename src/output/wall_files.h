@@ -22,16 +22,18 @@ struct FloorDrawing {
 /// Draws a map in lines. Linear in cells.
 FloorDrawing floorDrawing(const Snapshot& snapshot);
 
-/// The text of walls.yaml: `{format, frame, unit, walls: [{from, to, confidence}]}`, in metres of
-/// the map frame, rounded to millimetres.
+/// The text of walls.yaml: `{format, frame, unit, walls: [{from, to, confidence, outer}]}`, in
+/// metres of the map frame, rounded to millimetres.
 std::string wallsYaml(const std::vector<WallSegment>& walls);
 
 /// The text of walls.svg at a scale of 1:50, with layers for Inkscape. The coordinates in the
-/// layers are metres of the map frame. The opacity of a wall is its confidence.
+/// layers are metres of the map frame. The opacity of a wall is its confidence. Outer
+/// walls are dashed, on a layer of their own.
 std::string wallsSvg(const FloorDrawing& drawing);
 
 /// The text of walls.dxf, version R12, in metres of the map frame: a LINE for each wall on the
-/// layer WALLS, a closed POLYLINE for each outline on the layer FREE.
+/// layer WALLS or, for outer walls, OUTER_WALLS, and a closed POLYLINE for each outline on the
+/// layer FREE.
 std::string wallsDxf(const FloorDrawing& drawing);
 
 }  // namespace sfw

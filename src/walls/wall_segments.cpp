@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <utility>
 
 namespace sfw {
 namespace {
@@ -32,8 +33,8 @@ class Piece {
     return true;
   }
 
-  /// The piece in metres, in the frame of the grid.
-  WallSegment segment(const GridGeometry& geometry, double confidence) const {
+  /// The ends of the piece in metres, in the frame of the grid.
+  std::pair<Position, Position> ends(const GridGeometry& geometry) const {
     const auto in_metres = [&](double x, double y) -> Position {
       return geometry.origin() + geometry.resolution() * Position(x, y);
     };
@@ -41,9 +42,9 @@ class Piece {
     const Position low(static_cast<double>(low_.x), static_cast<double>(low_.y));
     const Position high(static_cast<double>(high_.x + 1), static_cast<double>(high_.y + 1));
     if (high_.x - low_.x > high_.y - low_.y) {
-      return {in_metres(low.x(), centre.y()), in_metres(high.x(), centre.y()), confidence};
+      return {in_metres(low.x(), centre.y()), in_metres(high.x(), centre.y())};
     }
-    return {in_metres(centre.x(), low.y()), in_metres(centre.x(), high.y()), confidence};
+    return {in_metres(centre.x(), low.y()), in_metres(centre.x(), high.y())};
   }
 
  private:
@@ -73,7 +74,8 @@ std::vector<WallSegment> straightPieces(const StripWall& wall, const GridGeometr
   }
   std::vector<WallSegment> segments;
   for (const Piece& piece : pieces) {
-    segments.push_back(piece.segment(geometry, -std::expm1(-wall.expected)));
+    const auto [from, to] = piece.ends(geometry);
+    segments.push_back({from, to, -std::expm1(-wall.expected), wall.is_outer});
   }
   return segments;
 }

@@ -120,6 +120,7 @@ TEST(Tomography, ReportsWallsOfTheNetworkAsSegments) {
     EXPECT_TRUE(followAxes(snapshot->walls, snapshot->tomography->building_yaw_rad));
     double length_m = 0.0;
     double free_m = 0.0;
+    double occupied_m[2] = {0.0, 0.0};  // by is_outer
     for (const WallSegment& wall : snapshot->walls) {
       EXPECT_GT(wall.confidence, 0.0);
       EXPECT_LT(wall.confidence, 1.0);
@@ -127,9 +128,13 @@ TEST(Tomography, ReportsWallsOfTheNetworkAsSegments) {
       const Cell middle = snapshot->belief.geometry().cellAt(0.5 * (wall.from + wall.to));
       length_m += metres;
       free_m += snapshot->belief.state(middle) == CellState::kFree ? metres : 0.0;
+      occupied_m[wall.is_outer] +=
+          snapshot->belief.state(middle) == CellState::kOccupied ? metres : 0.0;
     }
     EXPECT_GT(length_m, 1.0);
     EXPECT_LT(free_m, 0.1 * length_m);  // the map shows the same walls
+    EXPECT_GT(occupied_m[false], 0.2 * length_m);
+    EXPECT_LT(occupied_m[true], 0.1 * occupied_m[false]);  // outer walls are segments only
   }
 }
 

@@ -21,7 +21,8 @@ using Rows = std::vector<std::string>;
 using WallFiles = test::TemporaryFolder;
 
 const std::vector<WallSegment> kWalls{{{-0.75, 1.6}, {-0.75, 1.9}, 0.625},
-                                      {{-0.6004, 1.72}, {-0.3, 1.72}, 0.9}};
+                                      {{-0.6004, 1.72}, {-0.3, 1.72}, 0.9},
+                                      {{-0.75, 2.0}, {-0.05, 2.0}, 0.75, true}};
 
 /// Two free rooms, one around a pillar.
 const Rows kPicture{".....?..",  //
@@ -70,12 +71,13 @@ TEST(WallsYaml, IsReadBack) {
       EXPECT_NEAR(point[1], end.y(), 0.0005);
     }
     EXPECT_NEAR(wall["confidence"].as<double>(), kWalls[i].confidence, 0.0005);
+    EXPECT_EQ(wall["outer"].as<bool>(), kWalls[i].is_outer);
   }
 }
 
 TEST(WallsYaml, IsWrittenForPeopleToo) {
   EXPECT_NE(wallsYaml({{{-0.00001, 2.0}, {1.0 / 3.0, 2.0}, 0.5}})
-                .find("  - {from: [0, 2], to: [0.333, 2], confidence: 0.5}\n"),
+                .find("  - {from: [0, 2], to: [0.333, 2], confidence: 0.5, outer: false}\n"),
             std::string::npos);
 }
 
@@ -109,7 +111,7 @@ TEST(FloorDrawing, OutlinesFreeSpaceAndItsHolesByTheirCorners) {
 TEST(FloorDrawing, CoversItsLinesAndWithoutAnyTheMap) {
   const FloorDrawing drawing = floorDrawing(snapshot());
   EXPECT_NEAR((drawing.area.min() - Position(-0.75, 1.6)).norm(), 0.0, 1e-9);
-  EXPECT_NEAR((drawing.area.max() - Position(-0.05, 1.95)).norm(), 0.0, 1e-9);
+  EXPECT_NEAR((drawing.area.max() - Position(-0.05, 2.0)).norm(), 0.0, 1e-9);
   const Snapshot unknown = snapshotOf({"??", "??"}, {});
   EXPECT_TRUE(floorDrawing(unknown).area.isApprox(unknown.belief.geometry().box()));
 }
@@ -131,12 +133,24 @@ TEST(WallsSvg, HoldsWallsInMetresWithTheirConfidence) {
   }
 }
 
+TEST(WallsSvg, OuterWallsAreDashedOnTheirOwnLayer) {
+  const std::string svg = wallsSvg(floorDrawing(snapshot()));
+  const std::size_t layer = svg.find("<g id=\"outer_walls\"");
+  ASSERT_NE(layer, std::string::npos);
+  const std::string walls = svg.substr(0, layer);
+  const std::string outer_walls = svg.substr(layer);
+  EXPECT_EQ(walls.find("dasharray"), std::string::npos);
+  EXPECT_NE(outer_walls.find("stroke-dasharray"), std::string::npos);
+  EXPECT_EQ(numbersIn(walls, R"re(<line x1="(\S+)")re").size(), 2U);
+  EXPECT_EQ(numbersIn(outer_walls, R"re(<line x1="(\S+)")re").size(), 1U);
+}
+
 TEST(WallsSvg, ShowsTheMapUprightOnItsPage) {
   const FloorDrawing drawing = floorDrawing(snapshot());
   const std::string svg = wallsSvg(drawing);
   const auto page = numbersIn(svg, R"re(viewBox="0 0 (\S+) ([^"]+)")re").at(0);
   const auto layers = numbersIn(svg, R"re(matrix\((\S+) 0 0 (\S+) (\S+) ([^)]+)\))re");
-  ASSERT_EQ(layers.size(), 2U);
+  ASSERT_EQ(layers.size(), 3U);
   for (const std::vector<double>& layer : layers) {
     const auto on_page = [&](const Position& point) {
       return Position(layer[0] * point.x() + layer[2], layer[1] * point.y() + layer[3]);
@@ -217,7 +231,7 @@ TEST(WallsDxf, HoldsALineForEachWallOnItsLayer) {
   const auto lines = entities(pairsOf(wallsDxf(floorDrawing(snapshot()))), "LINE");
   ASSERT_EQ(lines.size(), kWalls.size());
   for (std::size_t i = 0; i < kWalls.size(); ++i) {
-    EXPECT_EQ(valueOf(lines[i], 8), "WALLS");
+    EXPECT_EQ(valueOf(lines[i], 8), kWalls[i].is_outer ? "OUTER_WALLS" : "WALLS");
     EXPECT_NEAR(numberOf(lines[i], 10), kWalls[i].from.x(), 0.0005);
     EXPECT_NEAR(numberOf(lines[i], 20), kWalls[i].from.y(), 0.0005);
     EXPECT_EQ(numberOf(lines[i], 30), 0.0);
@@ -245,7 +259,7 @@ TEST(WallsDxf, OutlinesFreeSpaceByClosedPolylines) {
   }
 }
 
-TEST(WallsDxf, IsR12InMetresWithBothLayers) {
+TEST(WallsDxf, IsR12InMetresWithItsLayers) {
   const Pairs pairs = pairsOf(wallsDxf(floorDrawing(snapshot())));
   const auto after = [&](const std::string& variable) {
     const auto name = std::find(pairs.begin(), pairs.end(), std::pair(9, variable));
@@ -257,7 +271,7 @@ TEST(WallsDxf, IsR12InMetresWithBothLayers) {
   for (const Pairs& layer : entities(pairs, "LAYER")) {
     layers.push_back(valueOf(layer, 2));
   }
-  EXPECT_EQ(layers, (std::vector<std::string>{"WALLS", "FREE"}));
+  EXPECT_EQ(layers, (std::vector<std::string>{"WALLS", "OUTER_WALLS", "FREE"}));
   EXPECT_EQ(entities(pairs, "SECTION").size(), entities(pairs, "ENDSEC").size());
   EXPECT_EQ(entities(pairs, "TABLE").size(), entities(pairs, "ENDTAB").size());
   EXPECT_EQ(pairs.back(), std::pair(0, std::string("EOF")));
@@ -267,7 +281,7 @@ TEST(WallsDxf, IsR12InMetresWithBothLayers) {
 
 TEST_F(WallFiles, OfAMapWithoutWallsReplaceThoseOfAnEarlierMap) {
   writeMapFiles(snapshot(), Config(), folder_.string());
-  EXPECT_EQ(YAML::LoadFile(path("walls.yaml"))["walls"].size(), 2U);
+  EXPECT_EQ(YAML::LoadFile(path("walls.yaml"))["walls"].size(), kWalls.size());
   writeMapFiles(snapshotOf(kPicture, {}), Config(), folder_.string());
   EXPECT_EQ(YAML::LoadFile(path("walls.yaml"))["walls"].size(), 0U);
   EXPECT_EQ(read("walls.svg").find("<line"), std::string::npos);

@@ -14,7 +14,7 @@ namespace sfw {
 namespace {
 
 const std::vector<WallSegment> kWalls{{{1.0, 2.0}, {1.0, 3.5}, 0.6},
-                                      {{-4.0, 0.5}, {2.0, 0.5}, 0.9}};
+                                      {{-4.0, 0.5}, {2.0, 0.5}, 0.9, true}};
 
 std_msgs::Header header() {
   std_msgs::Header header;
@@ -58,6 +58,7 @@ TEST(WallMessages, HoldEachSegmentOnTheFloor) {
     EXPECT_EQ(message.walls[i].start.z, 0.0);
     EXPECT_EQ(message.walls[i].end.z, 0.0);
     EXPECT_FLOAT_EQ(message.walls[i].confidence, static_cast<float>(kWalls[i].confidence));
+    EXPECT_EQ(message.walls[i].outer, kWalls[i].is_outer);
   }
 }
 
@@ -78,6 +79,19 @@ TEST(WallMarkers, AreLinesWhoseOpacityIsTheConfidence) {
     expectPoint(markers[0].points[2 * i + 1], kWalls[i].to);
     EXPECT_FLOAT_EQ(markers[0].colors[2 * i].a, static_cast<float>(kWalls[i].confidence));
     EXPECT_FLOAT_EQ(markers[0].colors[2 * i + 1].a, static_cast<float>(kWalls[i].confidence));
+  }
+}
+
+TEST(WallMarkers, OuterWallsArePaler) {
+  const auto markers = markersIn("walls", snapshotWith(kWalls));
+  ASSERT_EQ(markers.size(), 1U);
+  ASSERT_EQ(markers[0].colors.size(), 4U);
+  for (std::size_t end = 0; end < 2; ++end) {
+    const std_msgs::ColorRGBA& wall = markers[0].colors[end];
+    const std_msgs::ColorRGBA& outer_wall = markers[0].colors[2 + end];
+    EXPECT_GT(outer_wall.r, wall.r + 0.2F);
+    EXPECT_GT(outer_wall.g, wall.g + 0.2F);
+    EXPECT_GT(outer_wall.b, wall.b + 0.2F);
   }
 }
 

@@ -113,6 +113,18 @@ TEST(WallSegments, ConfidenceIsTheProbabilityOfAtLeastOneWall) {
   }
 }
 
+TEST(WallSegments, PiecesOfAnOuterWallAreOuter) {
+  StripWall wall = wallAlongY({4, 4, 4, 8, 8, 8});
+  for (const bool is_outer : {false, true}) {
+    wall.is_outer = is_outer;
+    const auto segments = straightPieces(wall, kGeometry);
+    ASSERT_GT(segments.size(), 1U);
+    for (const WallSegment& segment : segments) {
+      EXPECT_EQ(segment.is_outer, is_outer);
+    }
+  }
+}
+
 TEST(WallSegments, OneCellHasTheLengthOfACellAndNoCellHasNoSegment) {
   const auto segments = straightPieces({{{3, 5}}, 0.9}, kGeometry);
   ASSERT_EQ(segments.size(), 1U);

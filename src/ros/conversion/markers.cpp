@@ -15,6 +15,7 @@ namespace {
 constexpr Colour kViolet{0.75, 0.20, 0.90};   // legible on free and occupied cells alike
 constexpr Colour kOrange{0.95, 0.40, 0.00};   // likewise, and distinct from violet
 constexpr Colour kDarkRed{0.55, 0.00, 0.00};  // of walls
+constexpr Colour kPaleRed{0.90, 0.45, 0.40};  // of outer walls, which no ray confirms
 constexpr double kAboveMap = 0.03;            // [m]
 constexpr double kLetterHeight = 0.3;         // [m]
 constexpr double kDeviations = 2.0;           // from the centre to the rim of an ellipse
@@ -69,7 +70,8 @@ visualization_msgs::Marker wallMarker(const Snapshot& snapshot, const std_msgs::
   for (const WallSegment& wall : snapshot.walls) {
     for (const Position& end : {wall.from, wall.to}) {
       lines.points.push_back(toPoint(end, kAboveMap));
-      lines.colors.push_back(toColour(kDarkRed, static_cast<float>(wall.confidence)));
+      lines.colors.push_back(
+          toColour(wall.is_outer ? kPaleRed : kDarkRed, static_cast<float>(wall.confidence)));
     }
   }
   return lines;

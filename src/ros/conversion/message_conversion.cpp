@@ -147,6 +147,7 @@ structure_from_wifi::Walls toWalls(const Snapshot& snapshot, const std_msgs::Hea
     wall.start = toPoint(segment.from, 0.0);
     wall.end = toPoint(segment.to, 0.0);
     wall.confidence = static_cast<float>(segment.confidence);
+    wall.outer = segment.is_outer;
     message.walls.push_back(wall);
   }
   return message;
