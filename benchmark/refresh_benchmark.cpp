@@ -17,9 +17,9 @@
 #include <exception>
 #include <limits>
 #include <memory>
-#include <string_view>
 #include <vector>
 
+#include "belief/free_probability.h"
 #include "mapping/fused_belief.h"
 #include "office_floor.h"
 #include "radio/shadowing.h"
@@ -29,6 +29,8 @@
 #include "simulation/scenario.h"
 #include "structure_from_wifi/mapper.h"
 #include "structure_from_wifi/octomap_export.h"
+#include "walls/network_inputs.h"
+#include "walls/network_walls.h"
 
 namespace sfw {
 namespace {
@@ -82,10 +84,12 @@ double publishedBytes(const Snapshot& snapshot) {
     bytes += static_cast<double>(ros::serialization::serializeMessage(message).num_bytes);
   };
   send(toTrinaryGrid(snapshot.belief, header));
-  send(toProbabilityGrid(snapshot.belief, header));
+  send(toProbabilityGrid(snapshot.probability, header));
+  send(toWallLossGrid(snapshot.tomography->wall_loss, header));
   send(toPath(snapshot, header));
   send(toMarkers(snapshot, {}, header));
   send(toAccessPoints(snapshot, {}, header));
+  send(toWalls(snapshot, header));
   return bytes;
 }
 
@@ -159,29 +163,6 @@ double plainSeconds(const std::vector<AccessPointBins>& access_points,
   return sum * 2.0 * config.line.iterations * config.ensemble_size;
 }
 
-/// The path's cells: those at no distance from it.
-Mask pathCells(const CellFeatures& cells) {
-  const auto distance = std::find_if(std::begin(kCellFeatureTable), std::end(kCellFeatureTable),
-                                     [](const CellFeature& feature) {
-                                       return std::string_view(feature.name) == "path_distance";
-                                     }) -
-                        std::begin(kCellFeatureTable);
-  Mask path(cells.geometry);
-  for (std::size_t i = 0; i < cells.cells.size(); ++i) {
-    path.cells[cells.cells[i]] = cells.values[i][static_cast<std::size_t>(distance)] == 0.0F;
-  }
-  return path;
-}
-
-DrivenPath drivenPath(const DriveData& drive, const DriveFeatures& described,
-                      const Config::Path& config) {
-  DrivenPath path{pathCells(described.cells), {}, config.max_gap_m, config.footprint_radius_m};
-  for (const Position& position : drive.path) {
-    path.driven.push_back(described.frame.toBuilding(position));
-  }
-  return path;
-}
-
 std::size_t countBins(const std::vector<AccessPointBins>& access_points) {
   std::size_t bins = 0;
   for (const AccessPointBins& one : access_points) {
@@ -206,15 +187,37 @@ double precisionSeconds(const std::vector<AccessPointBins>& access_points,
   return sum;
 }
 
+/// The time of the network of walls: its inputs, its layers and the search of walls.
+double networkSeconds(const DriveFeatures& described, const Config& config,
+                      const std::atomic<bool>& never) {
+  const BeliefModel model = configuredBeliefModel(config.belief);
+  const WallNetwork network = shippedWallNetwork();
+  const StyleShares style = model.shares(described.cells.style);
+  const Grid<float> free = freeProbability(described.cells, model, style, UseRadio::kYes);
+  return cpuSeconds([&] {
+    return static_cast<double>(findWallsByNetwork(described, model, style, UseRadio::kYes, free,
+                                                  1.0 - config.belief.free_threshold, network,
+                                                  never)
+                                   .free.cells.front());
+  });
+}
+
+/// The settings with the cells that the mapper gives to the network, in all stages before it too.
+Config configOfStages() {
+  Config config;
+  config.map.resolution_m = kNetworkCellM;
+  return config;
+}
+
 void measure(double minutes, const Mapper& mapper, const std::vector<AccessPoint>& access_points) {
-  const Config config;
+  const Config config = configOfStages();
   const std::atomic<bool> never{false};
   const DriveData drive = mappedDrive(mapper, access_points);
-  const DriveFeatures described = extractDriveFeatures(drive, config, never);
+  const DriveFeatures described = extractDriveFeatures(drive, config, never, kTrustedVariance);
   WallFieldConfig walls;
   walls.line.max_total_wall_loss_db = std::numeric_limits<double>::infinity();
   walls.line.covariance.nugget_db2 = config.tomography.nugget_db * config.tomography.nugget_db;
-  const DrivenPath path = drivenPath(drive, described, config.path);
+  const DrivenPath& path = described.path;
   const double precision = precisionSeconds(described.access_points, walls);
   const double wall_field = cpuSeconds([&] {
     return estimateWalls(path.cells.geometry, described.access_points, path.cells,
@@ -225,6 +228,7 @@ void measure(double minutes, const Mapper& mapper, const std::vector<AccessPoint
     return static_cast<double>(
         extractCellFeatures(path, described.access_points, described.walls, never).values[0][0]);
   });
+  const double network = networkSeconds(described, config, never);
   const std::shared_ptr<const Snapshot> snapshot = mapper.infer();
   const double inference = cpuSeconds([&] {
     return static_cast<double>(mapper.infer()->belief.occupied({0, 0}));
@@ -235,11 +239,11 @@ void measure(double minutes, const Mapper& mapper, const std::vector<AccessPoint
   const double refresh = inference + publishing;
   const double plain = plainSeconds(described.access_points, walls);
   std::printf(
-      "| %.0f min | %zu | %zu | %zu | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.1f "
-      "| %.1f |\n",
+      "| %.0f min | %zu | %zu | %zu | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f "
+      "| %.1f | %.1f |\n",
       minutes, mapper.readings().size(), countBins(described.access_points),
-      described.cells.cells.size(), precision, wall_field, features,
-      inference - wall_field - features, sorting, publishing, refresh, octomaps, plain,
+      described.cells.cells.size(), precision, wall_field, features, network,
+      inference - wall_field - features - network, sorting, publishing, refresh, octomaps, plain,
       plain / refresh);
 }
 
@@ -252,10 +256,9 @@ int main() {
     const sfw::SimulatedRecording recording = sfw::simulate(scenario);
     std::puts(
         "| drive | readings | bins | cells | precisions [s] | walls, with these [s] |"
-        " features [s] | rest, with sorting [s] | sorting [s] | publishing [s] | refresh [s] | "
-        "OctoMaps, if subscribed [s] | plain "
-        "[s] | plain : refresh |\n"
-        "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
+        " features [s] | network [s] | rest, with sorting [s] | sorting [s] | publishing [s] |"
+        " refresh [s] | OctoMaps, if subscribed [s] | plain [s] | plain : refresh |\n"
+        "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
     for (const double minutes : {5.0, 10.0, 30.0, 60.0}) {
       sfw::Mapper mapper(sfw::Config(), scenario.access_points);
       for (const sfw::Reading& reading : recording.readings) {
