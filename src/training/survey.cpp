@@ -17,7 +17,7 @@ std::vector<Transmitter> chooseTransmitters(const FloorPlan& plan, std::int64_t 
                                             Random& random) {
   constexpr double kMost = 40.0;
   constexpr std::size_t kSecondBand = 100;  // BSSIDs from here on
-  const auto count = static_cast<std::int64_t>(std::pow(kMost + 1.0, random.uniform(0.0, 0.999)));
+  const auto count = chooseCount(kMost, random);
   std::vector<Transmitter> transmitters = asTransmitters(placeAccessPoints(plan, count, seed));
   if (happens(0.4, random)) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {

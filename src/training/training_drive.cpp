@@ -8,19 +8,13 @@
 #include "k_visibility/k_visibility.h"
 #include "simulation/radio/noise_level.h"
 #include "structure_from_wifi/input_error.h"
+#include "training/disturbance.h"
 #include "training/training_world.h"
 
 namespace sfw {
 namespace {
 
 bool happens(double probability, Random& random) { return random.uniform() <= probability; }
-
-NoiseLevel chooseLevel(Random& random) {
-  const double draw = random.uniform();
-  return draw < 0.1   ? noiseLevel("moderate")
-         : draw < 0.8 ? noiseLevel("realistic")
-                      : noiseLevel("hard");
-}
 
 /// The building as the robot finds it: often with furniture, which blocks the robot alone.
 FloorPlan withFurniture(const FloorPlan& walls, DrivingStyle style, Random& random) {
@@ -56,6 +50,21 @@ void shorten(std::vector<Reading>& readings, Random& random) {
 }
 
 }  // namespace
+
+NoiseLevel chooseNoise(Random& random) {
+  const double draw = random.uniform();
+  return noiseLevel(draw < 0.04   ? "none"
+                    : draw < 0.14 ? "low"
+                    : draw < 0.26 ? "moderate"
+                    : draw < 0.82 ? "realistic"
+                                  : "hard");
+}
+
+bool isClean(const NoiseLevel& level) { return level.name == "none" || level.name == "low"; }
+
+std::int64_t chooseCount(double most, Random& random) {
+  return static_cast<std::int64_t>(std::pow(most + 1.0, random.uniform(0.0, 0.999)));
+}
 
 void varyRadio(RadioModel::Config& radio, Random& random) {
   // Measured losses of walls in homes range from 1.4 to 8.3 dB. The first fits of saturation,
@@ -151,10 +160,15 @@ std::optional<TrainingDrive> makeTrainingDrive(const FloorPlan& plan, DrivingSty
   Random random(seed, streamOf(Purpose::kTrainingDrive), 0);
   TrainingDriveSettings settings;
   settings.scenario.seed = seed;
-  settings.scenario.noise = chooseLevel(random);
-  settings.scenario.access_points = 1 + static_cast<std::int64_t>(random.uniform(0.0, 4.99));
+  settings.scenario.noise = chooseNoise(random);
+  settings.scenario.access_points = chooseCount(kMostAccessPoints, random);
   settings.scenario.robot_radius_m = random.uniform(0.01, 0.15);
-  return simulateTrainingDrive(plan, style, settings, random);
+  std::optional<TrainingDrive> drive = simulateTrainingDrive(plan, style, settings, random);
+  if (drive) {
+    Random disturbance(seed, streamOf(Purpose::kDisturbance), 0);
+    disturb(*drive, isClean(settings.scenario.noise), disturbance);
+  }
+  return drive;
 }
 
 }  // namespace sfw

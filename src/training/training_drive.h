@@ -36,8 +36,8 @@ struct TrainingDriveSettings {
 /// - the robot has a radius of 1 to 15 cm, because small robots come that close to the walls of a
 ///   lidar's map. It follows walls tightly or loosely and cuts corners, or it patrols, or it
 ///   strolls: it roams around on the way, up to the walls. It covers all or a part of the building;
-/// - the radio is `realistic`, seldom `moderate` or `hard`, with walls of 2 to 11 dB, and 1 to 5
-///   access points.
+/// - the radio is mostly `realistic`, with walls of 2 to 11 dB, and 1 to 16 access points;
+/// - receivers, positions and signals have the errors of disturb().
 ///
 /// @return nothing if the robot fits nowhere in the rest of the building.
 /// Deterministic.
@@ -49,6 +49,17 @@ std::optional<TrainingDrive> makeTrainingDrive(const FloorPlan& plan, DrivingSty
 std::optional<TrainingDrive> simulateTrainingDrive(const FloorPlan& plan, DrivingStyle style,
                                                    const TrainingDriveSettings& settings,
                                                    Random& random);
+
+constexpr double kMostAccessPoints = 16.0;  ///< of a drive
+
+/// Draws a noise level from all of them; `realistic` is the most frequent one.
+NoiseLevel chooseNoise(Random& random);
+
+/// Whether the signals of a level are all but exact.
+bool isClean(const NoiseLevel& level);
+
+/// Draws a number from 1 to `most`, as often below its root as above.
+std::int64_t chooseCount(double most, Random& random);
 
 /// Draws the losses of walls, their limit and the shadowing from ranges wider than those of the
 /// noise levels. A radio without much shadowing keeps its own.

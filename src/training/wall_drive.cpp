@@ -24,24 +24,11 @@ constexpr double kSurveyGap = 2.0;  // [m], between successive places of a surve
 
 bool happens(double probability, Random& random) { return random.uniform() <= probability; }
 
-bool isClean(const NoiseLevel& level) { return level.name == "none" || level.name == "low"; }
-
-NoiseLevel chooseLevel(Random& random) {
-  const double draw = random.uniform();
-  return noiseLevel(draw < 0.04   ? "none"
-                    : draw < 0.14 ? "low"
-                    : draw < 0.26 ? "moderate"
-                    : draw < 0.82 ? "realistic"
-                                  : "hard");
-}
-
 TrainingDriveSettings chooseSettings(const NoiseLevel& level, std::int64_t seed, Random& random) {
-  constexpr double kMostAccessPoints = 16.0;
   TrainingDriveSettings settings;
   settings.scenario.seed = seed;
   settings.scenario.noise = level;
-  settings.scenario.access_points =
-      static_cast<std::int64_t>(std::pow(kMostAccessPoints + 1.0, random.uniform(0.0, 0.999)));
+  settings.scenario.access_points = chooseCount(kMostAccessPoints, random);
   settings.plain = happens(0.3, random);
   settings.varies_radio = !settings.plain || happens(0.5, random);
   if (!settings.plain) {
@@ -142,7 +129,7 @@ std::optional<WallDrive> makeWallDrive(const FloorPlan& plan, WallDriveKind kind
                                        std::int64_t seed) {
   constexpr std::size_t kFewestPositions = 30;
   Random random(seed, streamOf(Purpose::kWallDrive), 0);
-  const NoiseLevel level = chooseLevel(random);
+  const NoiseLevel level = chooseNoise(random);
   std::optional<TrainingDrive> made =
       kind == WallDriveKind::kSurvey
           ? makeSurvey(plan, level, seed, random)
