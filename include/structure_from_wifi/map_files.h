@@ -19,8 +19,8 @@ SFW_EXPORT std::string probabilityPng(const BeliefMap& belief);
 
 /// Writes the files of a map into a directory. Makes the directory if it is missing.
 ///
-/// Every map has map.pgm, map.yaml, probability.pgm, probability.png, probability.yaml, map.png,
-/// report.json, and its walls as walls.yaml, walls.svg and walls.dxf. Maps that octomapReaches have
+/// Every map has map.pgm, map.yaml, probability.pgm, probability.png, probability.yaml, costs.png,
+/// costs.yaml, map.png, report.json, and its walls as walls.yaml, walls.svg and walls.dxf. Maps that octomapReaches have
 /// map.bt and map.ot. Maps of tomography have wall_loss.pgm, wall_loss.yaml and wall_loss.png. Old
 /// files stay until all new ones are complete; then files that this map lacks are removed.
 /// @throw std::system_error or std::invalid_argument naming the file and why.

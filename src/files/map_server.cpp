@@ -155,6 +155,10 @@ std::string probabilityYaml(const GridGeometry& geometry) {
   return mapYaml("probability.png", geometry, "scale", "occupied_thresh: 1.0\nfree_thresh: 0.0\n");
 }
 
+std::string costsYaml(const GridGeometry& geometry) {
+  return mapYaml("costs.png", geometry, "scale", "occupied_thresh: 0.998\nfree_thresh: 0.002\n");
+}
+
 std::string wallLossPgm(const Grid<float>& wall_loss) {
   return encodePgm(wall_loss.geometry, [&](Cell c) {
     const double steps = static_cast<double>(wall_loss[c]) / kWallLossStepDb;

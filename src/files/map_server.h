@@ -33,6 +33,10 @@ std::string trinaryYaml(const GridGeometry& geometry, const std::string& image =
 /// unknown.
 std::string probabilityYaml(const GridGeometry& geometry);
 
+/// The YAML beside costs.png, whose pixels are 255 (1 - cost / 100), or transparent where the cost
+/// is unknown.
+std::string costsYaml(const GridGeometry& geometry);
+
 constexpr double kWallLossStepDb = 0.05;  ///< of a grey value in wall_loss.pgm
 
 /// The image of losses of signals [dB]: each grey value is kWallLossStepDb, from 0 (black) to 255.

@@ -17,6 +17,7 @@
 #include "output/wall_files.h"
 #include "structure_from_wifi/access_points_io.h"
 #include "structure_from_wifi/octomap_export.h"
+#include "structure_from_wifi/planning_costs.h"
 #include "structure_from_wifi/readings_io.h"
 
 namespace sfw {
@@ -39,6 +40,16 @@ void removeOthers(const std::vector<std::pair<std::string, std::string>>& files,
 /// The grey value of a probability: 0 is certainly occupied, 255 certainly free.
 long greyOf(const BeliefMap& belief, Cell c) {
   return std::lround(255.0 * (1.0 - static_cast<double>(belief.occupied(c))));
+}
+
+/// Costs as grey values, which map_server in mode scale turns into the same costs within 2.
+std::string costsPng(const Grid<std::int8_t>& costs) {
+  return encodeTransparentPng(costs.geometry, [&](Cell c) -> std::optional<std::uint8_t> {
+    if (costs[c] == kUnknownCost) {
+      return std::nullopt;
+    }
+    return static_cast<std::uint8_t>(std::lround(255.0 * (1.0 - costs[c] / 100.0)));
+  });
 }
 
 }  // namespace
@@ -71,6 +82,8 @@ void writeMapFiles(const Snapshot& snapshot, const Config& config, const std::st
       {directory + "/probability.pgm", probabilityPgm(snapshot.probability)},
       {directory + "/probability.png", probabilityPng(snapshot.probability)},
       {directory + "/probability.yaml", probabilityYaml(belief.geometry())},
+      {directory + "/costs.png", costsPng(planningCosts(snapshot, config.path.footprint_radius_m))},
+      {directory + "/costs.yaml", costsYaml(belief.geometry())},
       {directory + "/map.png", renderPicture(snapshot)},
       {directory + "/walls.yaml", wallsYaml(snapshot.walls)},
       {directory + "/walls.svg", wallsSvg(drawing)},

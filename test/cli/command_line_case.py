@@ -15,7 +15,7 @@ ACCESS_POINTS = """access_points:
   - {bssid: "%s", x: 0.5, y: 0.5, name: near}
   - {bssid: "%s", x: 7.0, y: 1.0}
 """ % (NEAR, FAR)
-MAP_FILES = ["map.bt", "map.ot", "map.pgm", "map.png", "map.yaml", "probability.pgm",
+MAP_FILES = ["costs.png", "costs.yaml", "map.bt", "map.ot", "map.pgm", "map.png", "map.yaml", "probability.pgm",
              "probability.png", "probability.yaml", "report.json", "wall_loss.pgm", "wall_loss.png",
              "wall_loss.yaml", "walls.dxf", "walls.svg", "walls.yaml"]
 

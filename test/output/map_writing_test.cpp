@@ -55,8 +55,9 @@ class MapWriting : public test::TemporaryFolder {
 };
 
 const std::set<std::string> kFiles{
-    "map.pgm", "map.yaml", "probability.pgm", "probability.png", "probability.yaml", "map.bt",
-    "map.ot",  "map.png",  "report.json",     "walls.yaml",      "walls.svg",        "walls.dxf"};
+    "map.pgm",     "map.yaml",   "probability.pgm", "probability.png", "probability.yaml",
+    "costs.png",   "costs.yaml", "map.bt",          "map.ot",          "map.png",
+    "report.json", "walls.yaml", "walls.svg",       "walls.dxf"};
 
 TEST_F(MapWriting, MakesItsDirectoryAndAllFiles) {
   writeMapFiles(snapshot(0), Config(), path("new/directory"));

@@ -100,6 +100,18 @@ TEST_F(Mapping, MetadataAndProbabilityBelongToTheMap) {
   }
 }
 
+TEST_F(Mapping, CostsBelongToTheMap) {
+  ASSERT_TRUE(world().map && world().costs);
+  EXPECT_EQ(world().costs->info, world().map->info);
+  ASSERT_EQ(world().costs->data.size(), world().map->data.size());
+  for (std::size_t i = 0; i < world().map->data.size(); ++i) {
+    const int state = world().map->data[i];
+    const int cost = world().costs->data[i];
+    ASSERT_TRUE(state == 0 ? cost >= 0 && cost < 100 : cost == state) << state << ": " << cost;
+  }
+  EXPECT_GT(count(*world().costs, 99), 0U) << "no free cell is near the rim";
+}
+
 TEST_F(Mapping, DynamicMapIsTheTopicsMap) {
   nav_msgs::GetMap call;
   ASSERT_TRUE(ros::service::call("dynamic_map", call));
@@ -197,9 +209,9 @@ TEST_F(Mapping, SavesTheMap) {
   ASSERT_TRUE(response.success) << response.message;
   waitUntilQuiet();
   for (const char* file :
-       {"map.yaml", "map.pgm", "probability.yaml", "probability.pgm", "probability.png", "map.bt",
-        "map.ot", "map.png", "report.json", "readings.csv", "access_points.yaml", "walls.yaml",
-        "walls.svg", "walls.dxf"}) {
+       {"map.yaml", "map.pgm", "probability.yaml", "probability.pgm", "probability.png",
+        "costs.yaml", "costs.png", "map.bt", "map.ot", "map.png", "report.json", "readings.csv",
+        "access_points.yaml", "walls.yaml", "walls.svg", "walls.dxf"}) {
     EXPECT_TRUE(fs::file_size(saveDirectory() / "first" / file) > 0) << file;
   }
   octomap::OcTree tree(1.0);

@@ -33,7 +33,7 @@ class LaunchWorld : public testing::Test {
  public:
   struct Received {
     std::optional<StaticLayer> layer;
-    nav_msgs::OccupancyGridConstPtr map, probability, wall_loss;
+    nav_msgs::OccupancyGridConstPtr map, probability, costs, wall_loss;
     nav_msgs::MapMetaDataConstPtr metadata;
     octomap_msgs::OctomapConstPtr binary, full;
     visualization_msgs::MarkerArrayConstPtr markers;
@@ -111,6 +111,7 @@ class LaunchWorld : public testing::Test {
         }));
     keep("map_metadata", r.metadata);
     keep("map_probability", r.probability);
+    keep("map_costs", r.costs);
     keep("octomap_binary", r.binary);
     keep("octomap_full", r.full);
     keep("markers", r.markers);

@@ -129,6 +129,10 @@ nav_msgs::OccupancyGrid toProbabilityGrid(const BeliefMap& belief, const std_msg
   });
 }
 
+nav_msgs::OccupancyGrid toCostGrid(const Grid<std::int8_t>& costs, const std_msgs::Header& header) {
+  return toGrid(costs.geometry, header, [&](Cell c) { return costs[c]; });
+}
+
 nav_msgs::OccupancyGrid toWallLossGrid(const Grid<float>& wall_loss_db,
                                        const std_msgs::Header& header) {
   constexpr float kStepsPerDb = 50.0F;

@@ -41,6 +41,9 @@ nav_msgs::OccupancyGrid toTrinaryGrid(const Grid<CellState>& states,
 /// The probability of being occupied in percent, -1 in unknown cells.
 nav_msgs::OccupancyGrid toProbabilityGrid(const BeliefMap& belief, const std_msgs::Header& header);
 
+/// The result of planningCosts, whose values are those of the message.
+nav_msgs::OccupancyGrid toCostGrid(const Grid<std::int8_t>& costs, const std_msgs::Header& header);
+
 /// Losses of walls by the radio alone: 50 a dB, so 100 stands for 2 dB and more.
 nav_msgs::OccupancyGrid toWallLossGrid(const Grid<float>& wall_loss_db,
                                        const std_msgs::Header& header);

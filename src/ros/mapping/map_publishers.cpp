@@ -10,16 +10,20 @@
 #include "ros/conversion/markers.h"
 #include "ros/conversion/message_conversion.h"
 #include "structure_from_wifi/octomap_export.h"
+#include "structure_from_wifi/planning_costs.h"
 
 namespace sfw {
 
 MapPublishers::MapPublishers(ros::NodeHandle& node, const std::string& map_frame,
-                             const Config::Octomap& octomap)
-    : map_frame_(map_frame), octomap_(octomap) {
+                             const Config& config)
+    : map_frame_(map_frame),
+      octomap_(config.octomap),
+      footprint_radius_m_(config.path.footprint_radius_m) {
   constexpr bool kLatched = true;
   map_ = node.advertise<nav_msgs::OccupancyGrid>("map", 1, kLatched);
   metadata_ = node.advertise<nav_msgs::MapMetaData>("map_metadata", 1, kLatched);
   probability_ = node.advertise<nav_msgs::OccupancyGrid>("map_probability", 1, kLatched);
+  costs_ = node.advertise<nav_msgs::OccupancyGrid>("map_costs", 1, kLatched);
   wall_loss_ = node.advertise<nav_msgs::OccupancyGrid>("wall_loss", 1, kLatched);
   markers_ = node.advertise<visualization_msgs::MarkerArray>("markers", 1, kLatched);
   path_ = node.advertise<nav_msgs::Path>("path", 1, kLatched);
@@ -46,6 +50,7 @@ void MapPublishers::publish(const std::shared_ptr<const Snapshot>& snapshot,
   map_.publish(published->grid);
   metadata_.publish(published->grid.info);
   probability_.publish(toProbabilityGrid(snapshot->probability, header));
+  costs_.publish(toCostGrid(planningCosts(*snapshot, footprint_radius_m_), header));
   if (snapshot->tomography) {
     wall_loss_.publish(toWallLossGrid(snapshot->tomography->wall_loss, header));
   }

@@ -29,8 +29,7 @@ struct PublishedMap {
 class MapPublishers {
  public:
   /// Advertises all topics.
-  MapPublishers(ros::NodeHandle& node, const std::string& map_frame,
-                const Config::Octomap& octomap);
+  MapPublishers(ros::NodeHandle& node, const std::string& map_frame, const Config& config);
 
   /// Publishes a snapshot on all topics but the OctoMaps', which are due from now on.
   void publish(const std::shared_ptr<const Snapshot>& snapshot, const DataFindings& findings = {});
@@ -47,10 +46,11 @@ class MapPublishers {
 
   std::string map_frame_;
   Config::Octomap octomap_;
+  double footprint_radius_m_;
   mutable std::mutex mutex_;  // around last_
   std::shared_ptr<const PublishedMap> last_;
   std::atomic<bool> octomap_due_{false};  // set by roscpp's thread when a subscriber comes
-  ros::Publisher map_, metadata_, probability_, wall_loss_, octomap_binary_, octomap_full_,
+  ros::Publisher map_, metadata_, probability_, costs_, wall_loss_, octomap_binary_, octomap_full_,
       markers_, path_, access_points_, walls_;
 };
 

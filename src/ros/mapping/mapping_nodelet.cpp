@@ -66,7 +66,7 @@ void MappingNodelet::advertise() {
   ros::NodeHandle node = getNodeHandle();
   // The map is inferred first. If no map is possible, nothing may be advertised.
   const std::shared_ptr<const Snapshot> empty = mapper_->corrected({}).mapper.infer(stop_);
-  publishers_.emplace(node, ros_settings_.map_frame, config_.octomap);
+  publishers_.emplace(node, ros_settings_.map_frame, config_);
   publishers_->publish(empty);
 
   advertiseServices();
