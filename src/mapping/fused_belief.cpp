@@ -5,11 +5,11 @@
 #include "belief/free_and_rim.h"
 #include "belief/free_probability.h"
 #include "grid/morphology.h"
-#include "grid/ray.h"
 #include "grid/robot_evidence.h"
 #include "walls/network_inputs.h"
 #include "walls/network_walls.h"
 #include "walls/wall_segments.h"
+#include "walls/walls_on_map.h"
 
 namespace sfw {
 namespace {
@@ -51,29 +51,6 @@ Grid<float> occupancyOnMap(const GridGeometry& geometry, const Grid<float>& free
     p = 1.0F - p;
   }
   return occupied;
-}
-
-/// The cells of walls on the grid of a map, as lines of one cell. Outer walls are not among them:
-/// early in a drive the network expects some where the robot has not been yet, and these would shut
-/// it in.
-/// @param building  grid of the walls' cells, building frame
-/// @param open      cells on the map that no wall may take
-Mask wallsOnMap(const std::vector<StripWall>& found, const GridGeometry& building,
-                const BuildingFrame& frame, const Mask& open) {
-  Mask walls(open.geometry);
-  const auto occupy = [&](Cell c) {
-    if (walls.geometry.contains(c) && open[c] == 0) {
-      walls[c] = 1;
-    }
-  };
-  for (const StripWall& wall : found) {
-    for (std::size_t i = 1; !wall.is_outer && i < wall.cells.size(); ++i) {
-      const Position from = frame.toMap(building.centre(wall.cells[i - 1]));
-      const Position to = frame.toMap(building.centre(wall.cells[i]));
-      Ray(walls.geometry, from, to).forEachCell(occupy);
-    }
-  }
-  return walls;
 }
 
 /// The network's probability that each cell is occupied. Cells that a lidar would hardly see have
