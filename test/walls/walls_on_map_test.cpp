@@ -56,6 +56,12 @@ TEST(WallsOnMap, EndBeforeTheWayOfTheRobot) {
   EXPECT_EQ(columnsOf(wallsOnMap({wallAcross()}, kBuilding, {}, open), 21), expected);
 }
 
+TEST(WallsOnMap, KeepTheirDistanceFromADoorAtTheirEnd) {
+  Mask open(kMap);
+  forEachCell({71, 0}, {79, 59}, [&](Cell c) { open[c] = 1; });  // 5 cm beyond the last cell
+  EXPECT_EQ(columnsOf(wallsOnMap({wallAcross()}, kBuilding, {}, open), 21), range(11, 67));
+}
+
 TEST(WallsOnMap, StandBesideAWayThatDoesNotCrossThem) {
   Mask open(kMap);
   forEachCell({0, 22}, {79, 30}, [&](Cell c) { open[c] = 1; });
