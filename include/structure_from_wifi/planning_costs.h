@@ -17,8 +17,8 @@ constexpr std::int8_t kOccupiedCost = 100;  ///< of a wall or contact
 /// The map alone says too little: where it misses a wall, or draws it beside its place, a short
 /// way through cells that are probably free looks as good as the way that the robot knows.
 /// So a free cell costs the more, the likelier the robot touches something there. Its risk is the
-/// highest probability of being occupied within `footprint_radius_m` and 5 cm. The cost grows
-/// linearly with the risk and is kDearestCost from a risk of 1/3 on.
+/// highest probability of being occupied within `footprint_radius_m` and 15 cm. The cost grows
+/// linearly with the risk and is kDearestCost from a risk of 1/4 on.
 /// @param snapshot            a map
 /// @param footprint_radius_m  of the robot
 /// @return costs from 0 to 100, or kUnknownCost, on the cells of the map

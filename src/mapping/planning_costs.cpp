@@ -34,7 +34,7 @@ float riskAt(const BeliefMap& probability, Cell centre, const std::vector<Cell>&
 }
 
 std::int8_t costOf(float risk) {
-  constexpr float kHighRisk = 1.0F / 3.0F;
+  constexpr float kHighRisk = 0.25F;
   const float share = std::min(risk / kHighRisk, 1.0F);
   return static_cast<std::int8_t>(std::lround(static_cast<float>(kDearestCost) * share));
 }
@@ -42,7 +42,8 @@ std::int8_t costOf(float risk) {
 }  // namespace
 
 Grid<std::int8_t> planningCosts(const Snapshot& snapshot, double footprint_radius_m) {
-  constexpr double kDeviation = 0.05;  // [m], of a robot from its plan
+  // The readings do not place a wall better, and a robot does not follow its plan better.
+  constexpr double kDeviation = 0.15;  // [m]
   const GridGeometry& geometry = snapshot.belief.geometry();
   const std::vector<Cell> around = disc((footprint_radius_m + kDeviation) / geometry.resolution());
   Grid<std::int8_t> costs(geometry, kUnknownCost);

@@ -7,7 +7,7 @@
 namespace sfw {
 namespace {
 
-constexpr double kFootprintRadius = 0.15;  // [m]; risks count within 0.2 m: two cells
+constexpr double kFootprintRadius = 0.05;  // [m]; risks count within 0.2 m: two cells
 
 /// A map that is free everywhere, with a risk of 2 % in all cells but one.
 class PlanningCosts : public testing::Test {
@@ -37,26 +37,26 @@ class PlanningCosts : public testing::Test {
 
 TEST_F(PlanningCosts, GrowWithTheRiskWithinReachOfTheRobot) {
   // The belief holds log odds in steps of 1/16, so a cost can be off by 2.
-  const std::vector<int> row = costsBeside(0.2F);
+  const std::vector<int> row = costsBeside(0.15F);
   ASSERT_EQ(row.size(), 5U);
   for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_NEAR(row[i], 60, 2) << i;  // 99 * 0.2 / (1 / 3)
+    EXPECT_NEAR(row[i], 60, 2) << i;  // 99 * 0.15 / 0.25
   }
   for (std::size_t i = 3; i < 5; ++i) {
-    EXPECT_NEAR(row[i], 6, 1) << i;  // 99 * 0.02 / (1 / 3)
+    EXPECT_NEAR(row[i], 8, 1) << i;  // 99 * 0.02 / 0.25
   }
 }
 
 TEST_F(PlanningCosts, ReachInADisc) {
-  probability_[kRisky] = 0.2F;
+  probability_[kRisky] = 0.15F;
   const Grid<std::int8_t> all = costs();
   EXPECT_NEAR((all[{2, 4}]), 60, 2);
   EXPECT_NEAR((all[{3, 3}]), 60, 2);
-  EXPECT_NEAR((all[{4, 4}]), 6, 1) << "its centre is 0.28 m away";
+  EXPECT_NEAR((all[{4, 4}]), 8, 1) << "its centre is 0.28 m away";
 }
 
 TEST_F(PlanningCosts, OfAFreeCellEndBelowThoseOfAWall) {
-  EXPECT_EQ(costsBeside(0.34F).front(), kDearestCost);
+  EXPECT_EQ(costsBeside(0.26F).front(), kDearestCost);
   EXPECT_EQ(costsBeside(0.9F).front(), kDearestCost);
 }
 
@@ -70,7 +70,7 @@ TEST_F(PlanningCosts, TellWallsAndUnknownCellsByTheMap) {
 }
 
 TEST_F(PlanningCosts, LeaveOutCellsOfUnknownProbability) {
-  EXPECT_NEAR(costsBeside(kUnknownOccupancy).front(), 6, 1);
+  EXPECT_NEAR(costsBeside(kUnknownOccupancy).front(), 8, 1);
 }
 
 TEST_F(PlanningCosts, AreUnknownInAFreshMap) {
