@@ -20,9 +20,10 @@ SFW_EXPORT std::string probabilityPng(const BeliefMap& belief);
 /// Writes the files of a map into a directory. Makes the directory if it is missing.
 ///
 /// Every map has map.pgm, map.yaml, probability.pgm, probability.png, probability.yaml, costs.png,
-/// costs.yaml, map.png, report.json, and its walls as walls.yaml, walls.svg and walls.dxf. Maps that octomapReaches have
-/// map.bt and map.ot. Maps of tomography have wall_loss.pgm, wall_loss.yaml and wall_loss.png. Old
-/// files stay until all new ones are complete; then files that this map lacks are removed.
+/// costs.yaml, map.png, report.json, and its walls as walls.yaml, walls.svg and walls.dxf. Maps
+/// that octomapReaches have map.bt and map.ot. Maps of tomography have wall_loss.pgm,
+/// wall_loss.yaml and wall_loss.png. Old files stay until all new ones are complete; then files
+/// that this map lacks are removed.
 /// @throw std::system_error or std::invalid_argument naming the file and why.
 SFW_EXPORT void writeMapFiles(const Snapshot& snapshot, const Config& config,
                               const std::string& directory, const DataFindings& findings = {});

@@ -6,10 +6,10 @@
 #include "belief/free_probability.h"
 #include "grid/morphology.h"
 #include "grid/robot_evidence.h"
+#include "mapping/walls_on_map.h"
 #include "walls/network_inputs.h"
 #include "walls/network_walls.h"
 #include "walls/wall_segments.h"
-#include "walls/walls_on_map.h"
 
 namespace sfw {
 namespace {

@@ -1,4 +1,4 @@
-#include "walls/walls_on_map.h"
+#include "mapping/walls_on_map.h"
 
 #include <algorithm>
 #include <cmath>
