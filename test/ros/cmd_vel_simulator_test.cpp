@@ -3,6 +3,7 @@
 #include <geometry_msgs/Twist.h>
 #include <gtest/gtest.h>
 #include <nav_msgs/OccupancyGrid.h>
+#include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
 #include <std_msgs/Bool.h>
 #include <structure_from_wifi/WifiScan.h>
@@ -29,6 +30,7 @@ class Cockpit : public testing::Test {
     subscribers_ = {node_.subscribe("/tf", 1000, &Cockpit::receiveTransforms, this),
                     node_.subscribe("contact", 100, &Cockpit::receiveContact, this),
                     node_.subscribe("finished", 10, &Cockpit::receiveFinished, this),
+                    node_.subscribe("odom", 100, &Cockpit::receiveOdometry, this),
                     node_.subscribe("truth", 1, &Cockpit::receiveTruth, this),
                     node_.subscribe("wifi_scan", 100, &Cockpit::receiveScan, this)};
     ASSERT_TRUE(spinUntil([this] {
@@ -96,6 +98,8 @@ class Cockpit : public testing::Test {
   std::vector<bool> finished_;
   std::vector<Eigen::Isometry2d> poses_;  // map_from_base
   std::size_t scans_ = 0;
+  nav_msgs::Odometry odometry_;
+  double fastest_m_s_ = 0.0;  // by odometry
   nav_msgs::OccupancyGridConstPtr truth_;
 
  private:
@@ -110,6 +114,10 @@ class Cockpit : public testing::Test {
   }
   void receiveContact(const std_msgs::Bool& message) { contacts_.push_back(message.data != 0); }
   void receiveFinished(const std_msgs::Bool& message) { finished_.push_back(message.data != 0); }
+  void receiveOdometry(const nav_msgs::Odometry& message) {
+    odometry_ = message;
+    fastest_m_s_ = std::max(fastest_m_s_, message.twist.twist.linear.x);
+  }
   void receiveTruth(const nav_msgs::OccupancyGridConstPtr& message) { truth_ = message; }
   void receiveScan(const structure_from_wifi::WifiScan&) { ++scans_; }
 
@@ -132,6 +140,9 @@ TEST_F(Cockpit, ItStopsWhenCommandsStop) {
   // Half a second at 0.3 m/s, less what speeding up takes and more what braking does.
   EXPECT_NEAR((position() - start).norm(), 0.15, 0.06);
   EXPECT_NEAR(position().x(), start.x(), 1e-9) << "it looks along y";
+  EXPECT_NEAR(fastest_m_s_, 0.3, 0.01);
+  EXPECT_EQ(odometry_.twist.twist.linear.x, 0.0);
+  EXPECT_EQ(odometry_.child_frame_id, "base_link");
 }
 
 TEST_F(Cockpit, AWallStopsItAndIsFeltOnce) {

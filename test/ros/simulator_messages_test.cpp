@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "ros/conversion/message_conversion.h"
+
 namespace sfw {
 namespace {
 
@@ -49,6 +51,46 @@ TEST(SimulatorTransforms, WithoutErrorsTellTheTruth) {
   EXPECT_NEAR((map_from_base.translation() - Position(2.5, 1.0)).norm(), 0.0, 1e-9);
   EXPECT_NEAR(std::abs(map_from_base.rotation()(0, 0)), 1.0, 1e-9) << "it looks along x";
   EXPECT_NEAR((transformOf(messages[0]).translation() - Position(2, -1)).norm(), 0.0, 1e-12);
+}
+
+geometry_msgs::TransformStamped odomFromBase(double stamp_s, double x, double y, double yaw) {
+  return toPlanarTransform(ros::Time(stamp_s), "odom", "base_link", {x, y}, yaw);
+}
+
+TEST(SimulatorOdometry, HoldsTheLaterPose) {
+  const nav_msgs::Odometry odometry =
+      odometryMessage(odomFromBase(5.0, 1.0, 2.0, 0.0), odomFromBase(5.1, 1.5, 2.5, 0.6));
+  EXPECT_EQ(odometry.header.stamp, ros::Time(5.1));
+  EXPECT_EQ(odometry.header.frame_id, "odom");
+  EXPECT_EQ(odometry.child_frame_id, "base_link");
+  EXPECT_EQ(odometry.pose.pose.position.x, 1.5);
+  EXPECT_EQ(odometry.pose.pose.position.y, 2.5);
+  EXPECT_DOUBLE_EQ(odometry.pose.pose.orientation.z, std::sin(0.3));
+}
+
+TEST(SimulatorOdometry, HoldsTheVelocityInTheFrameOfTheBase) {
+  // Ahead along -y, at 0.5 m/s.
+  const nav_msgs::Odometry straight = odometryMessage(odomFromBase(5.0, 1.0, 2.0, -0.5 * M_PI),
+                                                      odomFromBase(5.2, 1.0, 1.9, -0.5 * M_PI));
+  EXPECT_NEAR(straight.twist.twist.linear.x, 0.5, 1e-6);
+  EXPECT_NEAR(straight.twist.twist.linear.y, 0.0, 1e-9);
+  EXPECT_NEAR(straight.twist.twist.angular.z, 0.0, 1e-9);
+  // A quarter of a circle of 1 m radius in one second, across the turn from pi to -pi.
+  const double yaw = 0.75 * M_PI;
+  const Position centre(-std::sin(yaw), std::cos(yaw));  // 1 m to the left
+  const Position end = centre + Position(std::sin(yaw + 0.5 * M_PI), -std::cos(yaw + 0.5 * M_PI));
+  const nav_msgs::Odometry arc = odometryMessage(
+      odomFromBase(5.0, 0.0, 0.0, yaw), odomFromBase(6.0, end.x(), end.y(), yaw + 0.5 * M_PI));
+  EXPECT_NEAR(arc.twist.twist.linear.x, std::sqrt(2.0), 1e-9) << "the chord";
+  EXPECT_NEAR(arc.twist.twist.linear.y, 0.0, 1e-9);
+  EXPECT_NEAR(arc.twist.twist.angular.z, 0.5 * M_PI, 1e-9);
+}
+
+TEST(SimulatorOdometry, StandsStillAtTheStart) {
+  const auto start = odomFromBase(5.0, 1.0, 2.0, 0.3);
+  const nav_msgs::Odometry odometry = odometryMessage(start, start);
+  EXPECT_EQ(odometry.twist.twist.linear.x, 0.0);
+  EXPECT_EQ(odometry.twist.twist.angular.z, 0.0);
 }
 
 TEST(SimulatorTransforms, ErrAsARecordingDoes) {

@@ -1,7 +1,9 @@
 #include "ros/simulator/simulator_messages.h"
 
+#include <cmath>
 #include <optional>
 
+#include "base/constants.h"
 #include "ros/conversion/message_conversion.h"
 
 namespace sfw {
@@ -26,6 +28,31 @@ std::vector<geometry_msgs::TransformStamped> transformMessages(const SimulatorCo
                             map_from_odom.yaw_rad),
           toPlanarTransform(stamp, config.odom_frame, config.base_frame, odom_from_base.position,
                             odom_from_base.yaw_rad)};
+}
+
+nav_msgs::Odometry odometryMessage(const geometry_msgs::TransformStamped& before,
+                                   const geometry_msgs::TransformStamped& now) {
+  nav_msgs::Odometry odometry;
+  odometry.header = now.header;
+  odometry.child_frame_id = now.child_frame_id;
+  odometry.pose.pose.position.x = now.transform.translation.x;
+  odometry.pose.pose.position.y = now.transform.translation.y;
+  odometry.pose.pose.orientation = now.transform.rotation;
+  const double seconds = (now.header.stamp - before.header.stamp).toSec();
+  if (seconds > 0.0) {
+    const auto yaw = [](const geometry_msgs::TransformStamped& message) {
+      return 2.0 * std::atan2(message.transform.rotation.z, message.transform.rotation.w);
+    };
+    const Position step(now.transform.translation.x - before.transform.translation.x,
+                        now.transform.translation.y - before.transform.translation.y);
+    const double turn = std::remainder(yaw(now) - yaw(before), 2.0 * kPi);
+    // On an arc the robot looks along the chord in its middle.
+    const Position velocity = Eigen::Rotation2Dd(-(yaw(before) + 0.5 * turn)) * step / seconds;
+    odometry.twist.twist.linear.x = velocity.x();
+    odometry.twist.twist.linear.y = velocity.y();
+    odometry.twist.twist.angular.z = turn / seconds;
+  }
+  return odometry;
 }
 
 structure_from_wifi::WifiScan scanMessage(const RadioModel& radio, const RobotPose& pose,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <geometry_msgs/TransformStamped.h>
+#include <nav_msgs/Odometry.h>
 #include <ros/time.h>
 #include <std_msgs/Bool.h>
 #include <structure_from_wifi/WifiScan.h>
@@ -28,6 +29,11 @@ std::vector<geometry_msgs::TransformStamped> transformMessages(const SimulatorCo
                                                                const ros::Time& stamp,
                                                                const RobotPose& pose,
                                                                double driven_m);
+
+/// The odometry of a robot between two transforms odom -> base: the later pose, and the mean
+/// velocity between them in the frame of the base. It is 0 if both have the same stamp.
+nav_msgs::Odometry odometryMessage(const geometry_msgs::TransformStamped& before,
+                                   const geometry_msgs::TransformStamped& now);
 
 /// A scan at the robot's true pose.
 /// @param pose    true pose, map frame

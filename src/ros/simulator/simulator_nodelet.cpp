@@ -1,6 +1,7 @@
 #include "ros/simulator/simulator_nodelet.h"
 
 #include <nav_msgs/OccupancyGrid.h>
+#include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
 #include <rosgraph_msgs/Clock.h>
 #include <std_msgs/Bool.h>
@@ -103,6 +104,7 @@ void SimulatorNodelet::advertise() {
     clock_publisher_ = node.advertise<rosgraph_msgs::Clock>("/clock", kQueue);
   }
   broadcaster_.emplace();
+  odometry_publisher_ = node.advertise<nav_msgs::Odometry>("odom", kQueue);
   truth_publisher_ = node.advertise<nav_msgs::OccupancyGrid>("truth", 1, kLatched);
   contact_publisher_ = node.advertise<std_msgs::Bool>("contact", kQueue, kLatched);
   finished_publisher_ = node.advertise<std_msgs::Bool>("finished", 1, kLatched);
@@ -160,7 +162,11 @@ void SimulatorNodelet::sendStep(std::int64_t step) {
     clock.clock = stamp;
     clock_publisher_.publish(clock);
   }
-  broadcaster_->sendTransform(transformMessages(config_, *error_, stamp, pose, driven_m_));
+  const auto transforms = transformMessages(config_, *error_, stamp, pose, driven_m_);
+  broadcaster_->sendTransform(transforms);
+  odometry_publisher_.publish(
+      odometryMessage(odom_from_base_.value_or(transforms.back()), transforms.back()));
+  odom_from_base_ = transforms.back();
   const bool contact = robot_ && robot_->contact();
   if (contact != contact_) {
     contact_ = contact;

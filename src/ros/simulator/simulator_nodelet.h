@@ -80,10 +80,12 @@ class SimulatorNodelet : public nodelet::Nodelet {
 
   ros::Publisher clock_publisher_;
   ros::Publisher scan_publisher_;
+  ros::Publisher odometry_publisher_;
   ros::Publisher truth_publisher_;
   ros::Publisher contact_publisher_;
   ros::Publisher finished_publisher_;
   std::optional<tf2_ros::TransformBroadcaster> broadcaster_;
+  std::optional<geometry_msgs::TransformStamped> odom_from_base_;  // as last sent
   ros::Subscriber command_subscriber_;
 
   ros::Time start_;                        // stamp of step 0
