@@ -120,6 +120,23 @@ TEST_F(MapFiles, KeepUnknownProbabilitiesTransparent) {
   EXPECT_NEAR((read_back[{2, 1}]), 0.1, 0.01);
 }
 
+TEST_F(MapFiles, HoldCostsForPlanners) {
+  writeMapFiles(snapshotOf(kPicture), Config(), folder_.string());
+  const TranslucentImage image = readPng(path("costs.png"));
+  constexpr std::uint8_t kDear = 3;  // all free cells lie near a wall: 1 % of 255
+  constexpr std::uint8_t kUnknown = 128;
+  EXPECT_EQ(image.grey.pixels,
+            (std::vector<std::uint8_t>{kDear, 0, kUnknown, kDear, kDear,        //
+                                       0, kUnknown, kUnknown, kUnknown, kDear,  //
+                                       kDear, kDear, kDear, 0, 0}));
+  for (std::size_t i = 0; i < image.opacity.size(); ++i) {
+    EXPECT_EQ(image.opacity[i], image.grey.pixels[i] == kUnknown ? 0 : 255) << i;
+  }
+  const Grid<float> read_back = readProbabilities(path("costs.yaml"));
+  EXPECT_NEAR((read_back[{0, 0}]), 0.99, 0.005);
+  EXPECT_EQ((read_back[{1, 2}]), 1.0F);
+}
+
 // ---- Tables ----
 
 TEST_F(MapFiles, ReadingsAreReadBackBitByBit) {
