@@ -6,6 +6,8 @@
 #include <map>
 
 #include "base/constants.h"
+#include "base/random.h"
+#include "base/random_streams.h"
 
 namespace sfw {
 namespace {
@@ -87,7 +89,9 @@ void addField(const Series& series, double amplitude_db, double length_m, Random
 
 }  // namespace
 
-void disturb(TrainingDrive& drive, bool clean, Random& random) {
+void disturb(TrainingDrive& drive, const NoiseLevel& noise, std::int64_t seed) {
+  const bool clean = noise.name == "none" || noise.name == "low";
+  Random random(seed, streamOf(Purpose::kDisturbance), 0);
   displaceAccessPoints(drive.access_points, clean, random);
   if (!clean) {
     addNoise(drive.readings, random);

@@ -60,8 +60,6 @@ NoiseLevel chooseNoise(Random& random) {
                                   : "hard");
 }
 
-bool isClean(const NoiseLevel& level) { return level.name == "none" || level.name == "low"; }
-
 std::int64_t chooseCount(double most, Random& random) {
   return static_cast<std::int64_t>(std::pow(most + 1.0, random.uniform(0.0, 0.999)));
 }
@@ -165,8 +163,7 @@ std::optional<TrainingDrive> makeTrainingDrive(const FloorPlan& plan, DrivingSty
   settings.scenario.robot_radius_m = random.uniform(0.01, 0.15);
   std::optional<TrainingDrive> drive = simulateTrainingDrive(plan, style, settings, random);
   if (drive) {
-    Random disturbance(seed, streamOf(Purpose::kDisturbance), 0);
-    disturb(*drive, isClean(settings.scenario.noise), disturbance);
+    disturb(*drive, settings.scenario.noise, seed);
   }
   return drive;
 }

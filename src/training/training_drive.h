@@ -55,10 +55,7 @@ constexpr double kMostAccessPoints = 16.0;  ///< of a drive
 /// Draws a noise level from all of them; `realistic` is the most frequent one.
 NoiseLevel chooseNoise(Random& random);
 
-/// Whether the signals of a level are all but exact.
-bool isClean(const NoiseLevel& level);
-
-/// Draws a number from 1 to `most`, as often below its root as above.
+/// Draws a whole number from 1 to `most`, with about equal chances in each octave.
 std::int64_t chooseCount(double most, Random& random);
 
 /// Draws the losses of walls, their limit and the shadowing from ranges wider than those of the

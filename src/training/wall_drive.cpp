@@ -137,8 +137,7 @@ std::optional<WallDrive> makeWallDrive(const FloorPlan& plan, WallDriveKind kind
   if (!made || pathOf(made->readings).size() < kFewestPositions) {
     return std::nullopt;
   }
-  Random disturbance(seed, streamOf(Purpose::kDisturbance), 0);
-  disturb(*made, isClean(level), disturbance);
+  disturb(*made, level, seed);
   return WallDrive{kind, std::string(level.name), std::move(*made)};
 }
 

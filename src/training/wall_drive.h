@@ -29,8 +29,8 @@ WallDriveKind chooseWallDriveKind(std::int64_t seed);
 
 /// Simulates a drive for the training of the wall network (doc/method/network.md).
 ///
-/// Such drives vary more than those of makeTrainingDrive: 1 to 16 access points (a survey: to 40),
-/// all noise levels, and the errors of disturb().
+/// Radio and errors vary as in makeTrainingDrive. Some drives are surveys, with up to 40 access
+/// points, and some are as `sfw simulate` makes them.
 /// @return nothing if the drive fits nowhere in the building or is very short.
 /// Deterministic.
 std::optional<WallDrive> makeWallDrive(const FloorPlan& plan, WallDriveKind kind,

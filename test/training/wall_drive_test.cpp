@@ -110,8 +110,7 @@ TEST(Disturbance, KeepsReadingsInTheirRangeAndTheirPlaces) {
   const WallDrive drive = driveOf(WallDriveKind::kStroll);
   for (std::int64_t seed = 0; seed < 20; ++seed) {
     TrainingDrive disturbed = drive.drive;
-    Random random(seed, 1, 0);
-    disturb(disturbed, false, random);
+    disturb(disturbed, noiseLevel("realistic"), seed);
     ASSERT_EQ(disturbed.readings.size(), drive.drive.readings.size());
     std::size_t changed = 0;
     for (std::size_t i = 0; i < disturbed.readings.size(); ++i) {
