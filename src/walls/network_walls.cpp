@@ -30,6 +30,12 @@ StateProbabilities statesByNetwork(const Channels& output, std::size_t cell, flo
 
 }  // namespace
 
+float calibratedOccupancy(float by_network) {
+  constexpr float kKnee = 0.55F;
+  constexpr float kSlope = 0.1F;  // keeps the order of cells
+  return std::min(by_network, kKnee + kSlope * std::max(by_network - kKnee, 0.0F));
+}
+
 NetworkFindings findWallsByNetwork(const DriveFeatures& features, const BeliefModel& model,
                                    const StyleShares& style, UseRadio use_radio,
                                    const Grid<float>& free, double free_above,
@@ -52,7 +58,7 @@ NetworkFindings findWallsByNetwork(const DriveFeatures& features, const BeliefMo
                            Grid<float>(cells.geometry, 1.0F)};
   for (const std::size_t i : cells.cells) {
     const StateProbabilities states = statesByNetwork(output, i, free.cells[i]);
-    findings.occupied.cells[i] = states.wall / (states.wall + states.free);
+    findings.occupied.cells[i] = calibratedOccupancy(states.wall / (states.wall + states.free));
     findings.unseen.cells[i] = states.unseen;
     if (strips.open.cells[i] != 0) {
       findings.free.cells[i] = std::max(free.cells[i], states.free);

@@ -11,6 +11,10 @@
 
 namespace sfw {
 
+/// Corrects the network's probability that a cell is occupied. The network is too sure of walls, so
+/// probabilities above 0.55 become flatter (doc/method/network.md). Strictly increasing.
+float calibratedOccupancy(float by_network);
+
 /// What a network finds, on the grid of the features.
 struct NetworkFindings {
   std::vector<StripWall> walls;

@@ -7,13 +7,11 @@
 #include <random>
 
 #include "base/constants.h"
-#include "belief/free_probability.h"
 #include "evaluation/ablations.h"
 #include "simulation/building/floor_plan_generator.h"
 #include "simulation/scenario.h"
 #include "structure_from_wifi/map_files.h"
 #include "structure_from_wifi/mapper.h"
-#include "training/training_drive.h"
 
 namespace sfw::test {
 namespace {
@@ -252,62 +250,6 @@ TEST(Tomography, KeepsWhatTheRobotTouchedOccupiedUntilItDrivesOverIt) {
   };
   EXPECT_EQ(stateAt(touched_first), CellState::kFree);
   EXPECT_EQ(stateAt(touched_last), CellState::kOccupied);
-}
-
-// ---- Calibration: drives never used for the shipped model ----
-
-TEST(ShippedBelief, IsCalibratedOnDrivesThatItWasNotFittedTo) {
-  constexpr int kDrives = 72;
-  constexpr int kBands = 10;
-  const BeliefModel model = shippedBeliefModel();
-  const std::atomic<bool> never{false};
-  std::array<double, kBands> predicted{};
-  std::array<double, kBands> free{};
-  std::array<double, kBands> cells{};
-  for (int i = 0; i < kDrives; ++i) {
-    const std::int64_t seed = 990000 + i;  // `sfw fit --seed 1` takes 1000000 and up
-    BuildingConfig building;
-    building.seed = static_cast<std::uint64_t>(seed);
-    building.area_m2 = 40.0 + 1.3 * i;
-    const auto style = static_cast<DrivingStyle>(i % kDrivingStyles);
-    const auto drive = makeTrainingDrive(generateFloorPlan(building), style, seed);
-    if (!drive) {
-      continue;
-    }
-    DriveData mapped;
-    for (const AccessPoint& one : drive->access_points) {
-      mapped.access_points.push_back({one.position, one.height_m, {}});
-    }
-    for (const Reading& reading : drive->readings) {
-      mapped.path.push_back(reading.antenna_in_map);
-      for (std::size_t j = 0; j < mapped.access_points.size(); ++j) {
-        if (drive->access_points[j].bssid == reading.bssid) {
-          mapped.access_points[j].samples.push_back({reading.antenna_in_map, reading.rssi_dbm});
-        }
-      }
-    }
-    const DriveFeatures described = extractDriveFeatures(mapped, Config(), never);
-    const StyleShares shares = model.shares(described.cells.style);
-    const Grid<float> probability = freeProbability(described.cells, model, shares, UseRadio::kYes);
-    for (std::size_t k = 0; k < described.cells.cells.size(); k += 7) {
-      const double p = probability.cells[described.cells.cells[k]];
-      const Cell at =
-          drive->truth.geometry.cellAt(described.frame.toMap(described.cells.geometry.centre(
-              described.cells.geometry.cell(described.cells.cells[k]))));
-      const bool is_free =
-          drive->truth.geometry.contains(at) && drive->truth[at] == CellState::kFree;
-      const auto band = static_cast<std::size_t>(std::min(p * kBands, kBands - 1.0));
-      predicted[band] += p;
-      free[band] += is_free ? 1.0 : 0.0;
-      cells[band] += 1.0;
-    }
-  }
-  for (std::size_t band = 0; band < kBands; ++band) {
-    ASSERT_GT(cells[band], 100.0);
-    std::printf("predicted %.2f, free %.2f\n", predicted[band] / cells[band],
-                free[band] / cells[band]);
-    EXPECT_NEAR(predicted[band] / cells[band], free[band] / cells[band], 0.1);
-  }
 }
 
 }  // namespace
