@@ -25,6 +25,7 @@ ALLOWED = {
     "mapping": "base path radio belief walls k_visibility access_points grid",
     "output": "base grid files belief k_visibility mapping path",
     "simulation": "base grid files",
+    "wireless": "base",
     "evaluation": "base grid files path radio tomography belief k_visibility mapping output simulation",
     "training": "base grid path belief walls k_visibility simulation mapping",
 }

@@ -1,0 +1,30 @@
+#include "ros/wireless/wireless_settings.h"
+
+#include "files/settings_tree.h"
+
+namespace sfw {
+
+WirelessSettings wirelessSettingsFromYaml(const YAML::Node& node) {
+  SettingsTree tree(node);
+  WirelessSettings settings;
+  tree.read("mode", settings.mode);
+  tree.read("interface", settings.interface);
+  tree.read("rate", settings.rate_hz);
+  tree.read("frame_id", settings.frame_id);
+  if (settings.mode != "link" && settings.mode != "cache" && settings.mode != "scan") {
+    tree.problems().add("mode must be link, cache or scan");
+  }
+  tree.problems().within("rate", settings.rate_hz, 0.01, 20.0, "Hz");
+  tree.problems().throwIfAny();
+  settings.warnings = tree.warnings();
+  return settings;
+}
+
+WirelessMode wirelessMode(const std::string& name) {
+  if (name == "link") {
+    return WirelessMode::kLink;
+  }
+  return name == "scan" ? WirelessMode::kScan : WirelessMode::kCache;
+}
+
+}  // namespace sfw
