@@ -8,13 +8,14 @@
 
 namespace {
 
-/// Whether the nodelet advertises anything besides the log. onInit must not throw, so a nodelet
-/// with unusable parameters loads all the same, but it advertises nothing.
+/// Whether the nodelet advertises anything besides the log and its diagnostics. onInit must not
+/// throw, so a nodelet with unusable parameters loads all the same, but it advertises nothing else.
 bool somethingIsAdvertised() {
   ros::V_string topics;
   ros::this_node::getAdvertisedTopics(topics);
-  return std::any_of(topics.begin(), topics.end(),
-                     [](const std::string& topic) { return topic != "/rosout"; });
+  return std::any_of(topics.begin(), topics.end(), [](const std::string& topic) {
+    return topic != "/rosout" && topic != "/diagnostics";
+  });
 }
 
 }  // namespace

@@ -109,11 +109,27 @@ class LaunchArguments(unittest.TestCase):
         self.assertEqual(parameters["/mapping/ros/antenna_frame"], "wifi_link")
         self.assertEqual(parameters["/mapping/ros/save_directory"], "/maps")
 
+    def test_are_optional(self):
+        for name, required in (("mapping", []), ("demo", []), ("replay", ["access_points", "bag"])):
+            run = subprocess.run(["roslaunch", "--ros-args", self.LAUNCH.parent / (name + ".launch")],
+                                 capture_output=True, text=True, timeout=60, check=True)
+            head = run.stdout.split("Optional Arguments:")[0].splitlines()
+            self.assertEqual([line.split(":")[0].strip() for line in head[1:]], required, name)
+
     def test_win_over_the_config(self):
         parameters = self.parameters("ros: {map_frame: world, antenna_frame: wifi_link}\n",
                                      "map_frame:=floor")
         self.assertEqual(parameters["/mapping/ros/map_frame"], "floor")
         self.assertEqual(parameters["/mapping/ros/antenna_frame"], "wifi_link")
+
+
+class Messages(unittest.TestCase):
+    def test_are_shown_in_the_devel_space(self):
+        devel = pathlib.Path(sys.argv[1]).parents[2]
+        for message in ("wireless_msgs/Connection", "octomap_msgs/Octomap"):
+            run = subprocess.run(["bash", "-c", "source '%s/setup.bash' && rosmsg show %s" %
+                                  (devel, message)], capture_output=True, text=True, timeout=60)
+            self.assertEqual(run.returncode, 0, run.stderr)
 
 
 if __name__ == "__main__":

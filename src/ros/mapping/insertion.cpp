@@ -9,17 +9,20 @@ bool isKept(InsertResult result) {
 
 }  // namespace
 
-void insert(const LocatedObservation& observation, Mapper& mapper, PathCorrector& corrector) {
-  bool kept = false;
+std::size_t insert(const LocatedObservation& observation, Mapper& mapper,
+                   PathCorrector& corrector) {
+  std::size_t readings = 0;
   for (const Reading& reading : observation.readings) {
-    kept = isKept(mapper.insert(reading)) || kept;
+    readings += isKept(mapper.insert(reading)) ? 1 : 0;
   }
+  bool kept = readings > 0;
   for (const Contact& contact : observation.contacts) {
     kept = isKept(mapper.insert(contact)) || kept;
   }
   if (kept && observation.correction) {
     corrector.insert(*observation.correction);
   }
+  return readings;
 }
 
 }  // namespace sfw

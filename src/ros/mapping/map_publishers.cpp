@@ -7,12 +7,25 @@
 #include <structure_from_wifi/Walls.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
 #include "ros/conversion/markers.h"
 #include "ros/conversion/message_conversion.h"
 #include "structure_from_wifi/octomap_export.h"
 #include "structure_from_wifi/planning_costs.h"
 
 namespace sfw {
+namespace {
+
+double freeArea(const nav_msgs::OccupancyGrid& grid) {
+  const double edge_m = static_cast<double>(grid.info.resolution);
+  return static_cast<double>(std::count(grid.data.begin(), grid.data.end(), std::int8_t{0})) *
+         edge_m * edge_m;
+}
+
+}  // namespace
 
 MapPublishers::MapPublishers(ros::NodeHandle& node, const std::string& map_frame,
                              const Config& config)
@@ -41,8 +54,10 @@ void MapPublishers::publish(const std::shared_ptr<const Snapshot>& snapshot,
   std_msgs::Header header;
   header.frame_id = map_frame_;
   header.stamp = ros::Time::now();
+  nav_msgs::OccupancyGrid grid = toTrinaryGrid(snapshot->belief, header);
+  const double free_m2 = freeArea(grid);
   const auto published = std::make_shared<const PublishedMap>(
-      PublishedMap{snapshot, findings, toTrinaryGrid(snapshot->belief, header)});
+      PublishedMap{snapshot, findings, std::move(grid), free_m2});
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     last_ = published;

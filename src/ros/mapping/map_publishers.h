@@ -20,6 +20,7 @@ struct PublishedMap {
   std::shared_ptr<const Snapshot> snapshot;
   DataFindings findings;
   nav_msgs::OccupancyGrid grid;
+  double free_m2 = 0.0;  ///< free area of the grid
 };
 
 /// Publishes maps on all topics of the mapping nodelet, all latched.

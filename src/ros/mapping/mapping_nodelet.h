@@ -1,11 +1,11 @@
 #pragma once
 
+#include <diagnostic_updater/diagnostic_updater.h>
 #include <nav_msgs/GetMap.h>
 #include <nodelet/nodelet.h>
 #include <octomap_msgs/GetOctomap.h>
 #include <ros/callback_queue.h>
 #include <ros/service_server.h>
-#include <ros/steady_timer.h>
 #include <ros/subscriber.h>
 #include <std_srvs/Trigger.h>
 #include <structure_from_wifi/SaveMap.h>
@@ -24,6 +24,9 @@
 
 #include "ros/conversion/input_messages.h"
 #include "ros/conversion/ros_settings.h"
+#include "ros/mapping/announcements.h"
+#include "ros/mapping/diagnostics.h"
+#include "ros/mapping/input_statistics.h"
 #include "ros/mapping/map_publishers.h"
 #include "ros/mapping/observation_queue.h"
 #include "ros/mapping/shared_mapper.h"
@@ -47,8 +50,11 @@ class MappingNodelet : public nodelet::Nodelet {
 
  private:
   /// Never throws, since an exception would end the nodelet manager. If parameters cannot be used,
-  /// the nodelet logs each one and advertises nothing.
+  /// the nodelet logs each one and advertises nothing but its diagnostics.
   void onInit() override;
+  void start();
+  void advertiseDiagnostics();
+  void announceStart();
 
   /// @throw InputError
   void loadParameters();
@@ -61,15 +67,17 @@ class MappingNodelet : public nodelet::Nodelet {
 
   // In the manager's threads.
   template <class Message>
-  void receive(const Input<Message>& input, const Message& message);
-  /// Warns, on a timer, until the first reading arrives.
-  void warnNoInput();
+  void receive(const Input<Message>& input, std::size_t index, const Message& message);
 
   /// Answers the service calls in a queue, with steps in between, until the nodelet ends.
   void run(ros::CallbackQueue& calls, void (MappingNodelet::*step)());
 
   // In the locating thread.
   void stepLocating();
+  /// Publishes diagnostics and warns of missing inputs, once a second.
+  void diagnose();
+  void announceMissingInput();
+  MappingStatus status() const;
   void noticeTimeJump(const ros::Time& now);
   bool serveMap(nav_msgs::GetMap::Response& response);
   bool reset(std_srvs::Trigger::Response& response);
@@ -85,15 +93,23 @@ class MappingNodelet : public nodelet::Nodelet {
   enum class Checks { kChanged, kAll };
   /// Makes a map, checks its data, and publishes both unless a reset occurred meanwhile.
   Mapping publishMap(Checks checks);
+  void noteInference(double seconds);
   /// Logs each fault once, until the next reset.
   void reportFaults(const std::vector<MapNote>& notes);
   bool serveOctomap(bool binary, octomap_msgs::GetOctomap::Response& response);
   bool saveMap(const structure_from_wifi::SaveMap::Request& request,
                structure_from_wifi::SaveMap::Response& response);
+  std::string whyNothingToSave() const;
+  /// The directory of a name. It gets a number if it holds a recording that this session did not
+  /// write.
+  std::string directoryToSave(const std::string& name);
 
   // In both threads.
   void locateObservations();
+  void announceFirstReading(const LocatedObservation& observation);
   void warnOfLosses(const ObservationQueue::Outcome& outcome);
+  void warnOfRejections();
+  void announceMap(const PublishedMap& map);
 
   Config config_;
   RosSettings ros_settings_;
@@ -105,7 +121,6 @@ class MappingNodelet : public nodelet::Nodelet {
   std::optional<tf2_ros::Buffer> transforms_;
   std::unique_ptr<tf2_ros::TransformListener> transform_listener_;
   std::vector<ros::Subscriber> subscribers_;
-  std::string radio_topics_;  // of the inputs that bring readings, joined by "or"
 
   ros::CallbackQueue quick_calls_, slow_calls_;  // outlive the servers that use them
   std::vector<ros::ServiceServer> servers_;
@@ -117,8 +132,23 @@ class MappingNodelet : public nodelet::Nodelet {
   DataChecker checker_;  // in the mapping thread only, as the next member
   std::set<std::pair<MapNote::Kind, std::string>> reported_faults_;  // since the last reset
   std::atomic<bool> clear_reported_{false};
-  std::atomic<bool> received_{false};  // whether a message of a radio has arrived
-  ros::SteadyTimer no_input_timer_;
+  std::set<std::string> own_directories_;  // written since the last reset; in the mapping thread
+  std::atomic<bool> forget_directories_{false};
+
+  // Facts for diagnostics and logs.
+  std::optional<diagnostic_updater::Updater> diagnostics_;
+  MappingStatus status_;  // of the last diagnose()
+  ros::SteadyTime started_, next_diagnosis_;
+  InputStatistics statistics_;
+  Announcements announcements_;
+  std::string failure_;             // why the nodelet cannot map; never changes after onInit
+  mutable std::mutex facts_mutex_;  // around the next member
+  struct Facts {
+    std::string update_failure;
+    double inference_s = 0.0;
+    std::size_t expired = 0, overflowed = 0;
+  } facts_;
+
   std::optional<OdometryCorrection> last_map_correction_;  // tf's at the last map
   std::atomic<bool> changed_{false};                       // since the last map
   std::atomic<bool> stop_{false};

@@ -71,6 +71,8 @@ bool MappingNodelet::reset(std_srvs::Trigger::Response& response) {
   mapper_->reset();
   queue_->clear();
   clear_reported_ = true;
+  forget_directories_ = true;
+  announcements_.clear();
   const std::shared_ptr<const Snapshot> empty = mapper_->corrected({}).mapper.infer(stop_);
   if (empty) {
     publishers_->publish(empty);
@@ -93,6 +95,23 @@ bool MappingNodelet::serveOctomap(bool binary, octomap_msgs::GetOctomap::Respons
   return true;
 }
 
+std::string MappingNodelet::whyNothingToSave() const {
+  const std::string reason = whyNoReading(status());
+  return "there are no readings yet" + (reason.empty() ? "" : "; " + reason);
+}
+
+std::string MappingNodelet::directoryToSave(const std::string& name) {
+  if (forget_directories_.exchange(false)) {
+    own_directories_.clear();
+  }
+  const std::string wanted = withHome(ros_settings_.save_directory) + "/" + name;
+  std::string directory = wanted;
+  for (int i = 2; own_directories_.count(directory) == 0 && holdsReadings(directory); ++i) {
+    directory = wanted + "_" + std::to_string(i);
+  }
+  return directory;
+}
+
 bool MappingNodelet::saveMap(const structure_from_wifi::SaveMap::Request& request,
                              structure_from_wifi::SaveMap::Response& response) {
   response.success = 0;
@@ -102,7 +121,6 @@ bool MappingNodelet::saveMap(const structure_from_wifi::SaveMap::Request& reques
         "'.'";
     return true;
   }
-  const std::string directory = withHome(ros_settings_.save_directory) + "/" + request.directory;
   try {
     locateObservations();
     const Mapping mapping = publishMap(Checks::kAll);
@@ -111,16 +129,17 @@ bool MappingNodelet::saveMap(const structure_from_wifi::SaveMap::Request& reques
       return true;
     }
     const Mapper& mapper = mapping.copy.mapper;
-    if (mapper.readings().empty() && holdsReadings(directory)) {
-      response.message = "the map was not saved: there are no readings yet, and the recording in " +
-                         directory + " would be lost";
+    if (mapper.readings().empty()) {
+      response.message = "nothing was saved: " + whyNothingToSave();
       return true;
     }
+    const std::string directory = directoryToSave(request.directory);
     for (const MapNote& note : mapNotes(*mapping.snapshot, mapping.findings)) {
       NODELET_WARN_STREAM(note.text);
     }
     writeRecording(mapper.readings(), mapper.contacts(), *mapping.snapshot, directory);
     writeMapFiles(*mapping.snapshot, config_, directory, mapping.findings);
+    own_directories_.insert(directory);
     response.success = 1;
     response.message = directory;
   } catch (const std::exception& error) {

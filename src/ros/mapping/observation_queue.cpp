@@ -19,6 +19,11 @@ void ObservationQueue::clear() {
   waiting_.clear();
 }
 
+std::size_t ObservationQueue::size() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return waiting_.size();
+}
+
 bool ObservationQueue::isExpired(const Waiting& waiting, const ros::Time& now) const {
   // ros::Duration is not used, because it throws if stamps are 68 years apart.
   const auto is_long_before_now = [&](const ros::Time& time) {

@@ -29,6 +29,9 @@ class ObservationQueue {
   /// Drops all observations.
   void clear();
 
+  /// The number of observations that wait.
+  std::size_t size() const;
+
   /// Counts the observations of one call of locate().
   struct Outcome {
     std::size_t located = 0;
@@ -53,7 +56,7 @@ class ObservationQueue {
   bool isExpired(const Waiting& waiting, const ros::Time& now) const;
 
   const RosSettings config_;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::deque<Waiting> waiting_;
   std::size_t overflowed_ = 0;
 };

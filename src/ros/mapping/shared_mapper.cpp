@@ -12,7 +12,7 @@ SharedMapper::SharedMapper(const Config& config, const std::vector<AccessPoint>&
 
 void SharedMapper::insert(const LocatedObservation& observation) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  sfw::insert(observation, mapper_, corrector_);
+  readings_ += sfw::insert(observation, mapper_, corrector_);
 }
 
 void SharedMapper::recordRejected(const std::string& reason, std::size_t count) {
@@ -24,12 +24,18 @@ void SharedMapper::reset() {
   const std::lock_guard<std::mutex> lock(mutex_);
   mapper_.reset();
   corrector_.clear();
+  readings_ = 0;
   ++resets_;
 }
 
-std::map<InsertResult, std::size_t> SharedMapper::rejectionCounts() const {
+Rejections SharedMapper::rejections() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return mapper_.rejections().count;
+  return mapper_.rejections();
+}
+
+std::size_t SharedMapper::readings() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return readings_;
 }
 
 std::uint64_t SharedMapper::resets() const {

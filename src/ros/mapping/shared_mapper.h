@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -34,8 +33,11 @@ class SharedMapper {
   /// Counts readings that were rejected before insertion (Mapper::recordRejected).
   void recordRejected(const std::string& reason, std::size_t count);
 
-  /// Counts the readings and contacts that the mapper rejected, by reason.
-  std::map<InsertResult, std::size_t> rejectionCounts() const;
+  /// The readings and contacts that no map uses.
+  Rejections rejections() const;
+
+  /// The number of readings kept, repeated ones too.
+  std::size_t readings() const;
 
   /// A copy of the mapper, to infer from.
   struct Copy {
@@ -59,6 +61,7 @@ class SharedMapper {
   Mapper mapper_;  // with all positions as tf first gave them
   PathCorrector corrector_;
   std::uint64_t resets_ = 0;
+  std::size_t readings_ = 0;
 };
 
 }  // namespace sfw

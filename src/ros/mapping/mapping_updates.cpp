@@ -1,0 +1,71 @@
+// Map updates of the mapping nodelet, all in the mapping thread.
+
+#include "ros/mapping/mapping_nodelet.h"
+
+namespace sfw {
+
+void MappingNodelet::stepMapping() {
+  publishers_->publishDueOctomaps();
+  if (ros::SteadyTime::now() < next_publication_) {
+    return;
+  }
+  const std::optional<OdometryCorrection> latest = latestCorrection(ros_settings_, *transforms_);
+  const bool jumped =
+      latest && last_map_correction_ &&
+      PathCorrector::isJump(*last_map_correction_, *latest, jumpTolerance(ros_settings_));
+  if (changed_ || jumped) {
+    next_publication_ =
+        ros::SteadyTime::now() + ros::WallDuration(1.0 / ros_settings_.publish_rate_hz);
+    publishMap(Checks::kChanged);
+  }
+}
+
+MappingNodelet::Mapping MappingNodelet::publishMap(Checks checks) {
+  changed_ = false;  // before the copy: later readings are for the next map
+  last_map_correction_ = latestCorrection(ros_settings_, *transforms_);
+  const ros::SteadyTime start = ros::SteadyTime::now();
+  Mapping mapping{mapper_->corrected(last_map_correction_), nullptr, {}};
+  mapping.snapshot = mapping.copy.mapper.infer(stop_);
+  if (!mapping.snapshot) {
+    return mapping;
+  }
+  mapper_->keepExtent(mapping.snapshot->extent, mapping.copy);
+  mapping.findings = checks == Checks::kAll ? checker_.checkAll(*mapping.snapshot, stop_)
+                                            : checker_.checkChanged(*mapping.snapshot, stop_);
+  if (mapping.findings.unfinished) {
+    changed_ = true;  // the next refresh checks the others, even without another reading
+  }
+  if (stop_) {
+    mapping.snapshot = nullptr;
+  }
+  noteInference((ros::SteadyTime::now() - start).toSec());
+  const std::lock_guard<std::mutex> lock(publishing_);
+  if (mapping.snapshot && mapping.copy.resets == mapper_->resets()) {
+    publishers_->publish(mapping.snapshot, mapping.findings);
+    announceMap(*publishers_->last());
+    if (checks == Checks::kChanged) {  // saving a map logs the complete list
+      reportFaults(mapNotes(*mapping.snapshot, mapping.findings));
+    }
+  }
+  return mapping;
+}
+
+void MappingNodelet::reportFaults(const std::vector<MapNote>& notes) {
+  if (clear_reported_.exchange(false)) {
+    reported_faults_.clear();
+  }
+  for (const MapNote& note : notes) {
+    if (isFault(note) && reported_faults_.emplace(note.kind, note.about).second) {
+      NODELET_WARN_STREAM(note.text);
+    }
+  }
+}
+
+void MappingNodelet::noteInference(double seconds) {
+  const std::lock_guard<std::mutex> lock(facts_mutex_);
+  facts_.inference_s = seconds;
+  facts_.update_failure.clear();
+  announcements_.forget("update");
+}
+
+}  // namespace sfw

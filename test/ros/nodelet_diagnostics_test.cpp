@@ -1,0 +1,135 @@
+// What a loaded mapping nodelet tells its user: /diagnostics and the log.
+
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <gtest/gtest.h>
+#include <ros/callback_queue.h>
+#include <rosgraph_msgs/Log.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "mapping_nodelet_world.h"
+
+namespace sfw {
+namespace {
+
+class NodeletDiagnosticsTest : public NodeletWorld {
+ protected:
+  void SetUp() override {
+    NodeletWorld::SetUp();
+    ros::NodeHandle node;
+    diagnostics_ = node.subscribe<diagnostic_msgs::DiagnosticArray>(
+        "/diagnostics", 100, [this](const diagnostic_msgs::DiagnosticArrayConstPtr& array) {
+          for (const diagnostic_msgs::DiagnosticStatus& status : array->status) {
+            statuses_.push_back(status);
+          }
+        });
+    log_ = node.subscribe<rosgraph_msgs::Log>(
+        "/rosout", 1000, [this](const rosgraph_msgs::LogConstPtr& log) { logs_.push_back(*log); });
+  }
+
+  /// Waits for a status of this world's nodelet with some words.
+  bool hears(const std::string& task, int level, const std::string& words,
+             const std::string& nodelet = "mapping") {
+    const std::string name = name_.substr(1) + "/" + nodelet + ": " + task;
+    return spinUntil(
+        [&] {
+          return std::any_of(statuses_.begin(), statuses_.end(), [&](const auto& status) {
+            return status.name == name && static_cast<int>(status.level) == level &&
+                   status.message.find(words) != std::string::npos;
+          });
+        },
+        20.0 * kSlowdown);
+  }
+
+  std::ptrdiff_t logged(int level, const std::string& words) const {
+    return std::count_if(logs_.begin(), logs_.end(), [&](const rosgraph_msgs::Log& log) {
+      return static_cast<int>(log.level) == level && log.msg.find(words) != std::string::npos;
+    });
+  }
+
+  bool logs(int level, const std::string& words) {
+    return spinUntil([&] { return logged(level, words) > 0; }, 20.0 * kSlowdown);
+  }
+
+  std::vector<diagnostic_msgs::DiagnosticStatus> statuses_;
+  std::vector<rosgraph_msgs::Log> logs_;
+  ros::Subscriber diagnostics_, log_;
+};
+
+using Level = diagnostic_msgs::DiagnosticStatus;
+
+TEST_F(NodeletDiagnosticsTest, TellWhyThereIsNoMapAndThatThereIsOne) {
+  load();
+  EXPECT_TRUE(hears("map", Level::WARN, "no message has come on " + name_ + "/wifi_scan"));
+  EXPECT_TRUE(hears("transforms", Level::ERROR, "base_link"));
+  for (int i = 0; i < 60; ++i) {
+    sendPose(0.05 * i, 0.05 * i, 1.0);
+    sendScan(0.05 * i, {{kNear, -50.0F}, {kFar, -60.0F}});
+  }
+  EXPECT_TRUE(hears("map", Level::OK, "m2 of free space from 120 readings"));
+  EXPECT_TRUE(hears("inputs", Level::OK, "Readings arrive"));
+  EXPECT_TRUE(hears("transforms", Level::OK, "base_link to map"));
+}
+
+TEST_F(NodeletDiagnosticsTest, NameTheReasonForReadingsThatWait) {
+  load();
+  sendScan(0.0, {{kNear, -50.0F}});
+  EXPECT_TRUE(hears("map", Level::WARN, "tf has no frame map, base_link"));
+  ros::Time::setNow(at(60.0));
+  EXPECT_TRUE(logs(rosgraph_msgs::Log::WARN, "tf had no transform from base_link to map"));
+  EXPECT_TRUE(hears("map", Level::WARN, "tf has no frame map, base_link"));
+}
+
+TEST_F(NodeletDiagnosticsTest, ComeWhileTheClockStandsStillAtZero) {
+  ros::Time::setNow(ros::Time());
+  load();
+  EXPECT_TRUE(hears("transforms", Level::ERROR, "no node publishes /clock"));
+}
+
+TEST_F(NodeletDiagnosticsTest, ComeFromANodeletWithBadParameters) {
+  ros::param::set(name_ + "/bad/access_points", tableOf({{kNear, 0.0, 0.0}}));
+  ros::param::set(name_ + "/bad/map/resolution", 0.0);
+  ASSERT_TRUE(loader_.load(name_ + "/bad", "structure_from_wifi/MappingNodelet", {}, {}));
+  EXPECT_TRUE(hears("map", Level::ERROR, "map/resolution", "bad"));
+  EXPECT_TRUE(loader_.unload(name_ + "/bad"));
+}
+
+TEST_F(NodeletDiagnosticsTest, LogsOfTheFirstMinuteSayThatAllIsWell) {
+  load();
+  EXPECT_TRUE(logs(rosgraph_msgs::Log::INFO, "Mapping with 2 access points of the table, 0 of"));
+  for (int i = 0; i < 60; ++i) {
+    sendPose(0.05 * i, 0.05 * i, 1.0);
+    sendScan(0.05 * i, {{kNear, -50.0F}, {"02:00:00:00:00:ff", -60.0F}});
+  }
+  EXPECT_TRUE(logs(rosgraph_msgs::Log::INFO, "The first reading, of 02:00:00:00:00:01"));
+  EXPECT_TRUE(logs(rosgraph_msgs::Log::INFO, "The map covers"));
+  EXPECT_TRUE(logs(rosgraph_msgs::Log::INFO, "Radios of neighbours are normal"));
+  EXPECT_EQ(logged(rosgraph_msgs::Log::WARN, "bssid is not in the table"), 0);
+}
+
+TEST_F(NodeletDiagnosticsTest, LogsTellEachCauseOnce) {
+  load();
+  sendPose(0.0, 1.0, 2.0);
+  for (int i = 0; i < 100; ++i) {
+    sendScan(0.0, {{kNear, 70.0F}});
+    sendScan(0.0, {{"no address", -50.0F}});
+  }
+  sendScan(0.0, {{kFar, -60.0F}});
+  EXPECT_EQ(rows(1).size(), 1U);
+  EXPECT_TRUE(logs(rosgraph_msgs::Log::WARN, "100 readings rejected so far: rssi_dbm is not in"));
+  EXPECT_TRUE(logs(rosgraph_msgs::Log::WARN, "bssid or age_s is malformed"));
+  EXPECT_EQ(logged(rosgraph_msgs::Log::WARN, "bssid or age_s is malformed"), 1);
+  EXPECT_LE(logged(rosgraph_msgs::Log::WARN, "rssi_dbm is not in"), 3);
+}
+
+}  // namespace
+}  // namespace sfw
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "nodelet_diagnostics_test");
+  const ros::NodeHandle node;  // keeps ROS up between the tests
+  return RUN_ALL_TESTS();
+}
