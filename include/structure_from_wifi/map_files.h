@@ -31,8 +31,14 @@ SFW_EXPORT void writeMapFiles(const Snapshot& snapshot, const Config& config,
 /// Writes readings.csv, contacts.csv and access_points.yaml. `sfw map` makes the same map from
 /// them.
 /// @throw as writeMapFiles
+/// @{
+SFW_EXPORT void writeRecording(const std::vector<Reading>& readings,
+                               const std::vector<Contact>& contacts,
+                               const std::vector<AccessPoint>& access_points,
+                               const std::string& directory);
 SFW_EXPORT void writeRecording(const std::vector<Reading>& readings,
                                const std::vector<Contact>& contacts, const Snapshot& snapshot,
                                const std::string& directory);
+/// @}
 
 }  // namespace sfw

@@ -2,8 +2,11 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "structure_from_wifi/config.h"
@@ -65,6 +68,19 @@ class SFW_EXPORT Mapper {
 
   /// Forgets readings, path and contacts; the geometry stays.
   void reset();
+
+  /// Forgets every reading and contact for which a test of its stamp [ns] and position [m] is true.
+  /// The geometry stays. O(readings log readings).
+  /// @return the number of readings and of contacts
+  std::pair<std::size_t, std::size_t> forget(
+      const std::function<bool(std::int64_t, const Position&)>& test);
+
+  /// The table of access points.
+  const std::vector<AccessPoint>& accessPoints() const;
+
+  /// Replaces the table of access points; all readings stay.
+  /// @throw InputError as the constructor, and changes nothing then.
+  void setAccessPoints(const std::vector<AccessPoint>& access_points);
 
   /// The grid of the next snapshot. It grows in steps, and shrinks only when poses turn out to be
   /// stray.

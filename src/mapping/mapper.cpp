@@ -100,6 +100,14 @@ void Mapper::correct(const PathCorrection& correction) { store_->correct(correct
 Box Mapper::extent() const { return store_->extentOf(store_->inliers()); }
 void Mapper::growTo(const Box& extent) { store_->growTo(extent); }
 void Mapper::reset() { store_->reset(); }
+std::pair<std::size_t, std::size_t> Mapper::forget(
+    const std::function<bool(std::int64_t, const Position&)>& test) {
+  return store_->forget(test);
+}
+const std::vector<AccessPoint>& Mapper::accessPoints() const { return store_->accessPoints(); }
+void Mapper::setAccessPoints(const std::vector<AccessPoint>& access_points) {
+  store_->setAccessPoints(access_points);
+}
 GridGeometry Mapper::geometry() const { return store_->geometryOf(extent()); }
 std::vector<Reading> Mapper::readings() const { return store_->readings(); }
 const std::vector<Contact>& Mapper::contacts() const { return store_->contacts(); }

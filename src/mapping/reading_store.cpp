@@ -97,13 +97,18 @@ ReadingStore::ReadingStore(const Config::Map& config, const std::vector<AccessPo
     : config_(config),
       least_extent_(leastExtent(config, access_points)),
       reserved_extent_(least_extent_) {
+  table_ = makeTable(access_points);
+}
+
+std::shared_ptr<const ReadingStore::Table> ReadingStore::makeTable(
+    const std::vector<AccessPoint>& access_points) {
   Table table{access_points, {}};
   for (std::size_t i = 0; i < access_points.size(); ++i) {
     if (!table.index_of.emplace(access_points[i].bssid, i).second) {
       throw InputError("access_points holds " + access_points[i].bssid.str() + " twice");
     }
   }
-  table_ = std::make_shared<const Table>(std::move(table));
+  return std::make_shared<const Table>(std::move(table));
 }
 
 bool ReadingStore::fits(const Box& extent) const {
@@ -266,6 +271,28 @@ void ReadingStore::reset() {
   readings_.clear();
   contacts_.clear();
   rejections_ = {};
+}
+
+std::pair<std::size_t, std::size_t> ReadingStore::forget(
+    const std::function<bool(std::int64_t, const Position&)>& test) {
+  growTo(extentOf(inliers()));
+  const std::size_t readings = readings_.size();
+  const std::size_t contacts = contacts_.size();
+  eraseIf(readings_, [&](const Reading& one) { return test(one.stamp_ns, one.antenna_in_map); });
+  eraseIf(contacts_, [&](const Contact& one) { return test(one.stamp_ns, one.point_in_map); });
+  return {readings - readings_.size(), contacts - contacts_.size()};
+}
+
+void ReadingStore::setAccessPoints(const std::vector<AccessPoint>& access_points) {
+  std::shared_ptr<const Table> table = makeTable(access_points);
+  const Box extent = leastExtent(config_, access_points).merged(reserved_extent_);
+  if (!fits(extent)) {
+    throw InputError("no map can hold the access points and the path: " +
+                     tooLargeText(extent, config_));
+  }
+  table_ = std::move(table);
+  least_extent_.extend(leastExtent(config_, access_points));
+  reserved_extent_ = extent;
 }
 
 std::vector<Reading> ReadingStore::readings() const {

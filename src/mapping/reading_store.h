@@ -1,9 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mapping/inliers.h"
@@ -29,6 +32,9 @@ class ReadingStore {
   void correct(const PathCorrection& correction);
   void growTo(const Box& extent);
   void reset();
+  std::pair<std::size_t, std::size_t> forget(
+      const std::function<bool(std::int64_t, const Position&)>& test);
+  void setAccessPoints(const std::vector<AccessPoint>& access_points);
 
   const std::vector<AccessPoint>& accessPoints() const { return table_->access_points; }
   std::vector<Reading> readings() const;
@@ -64,6 +70,7 @@ class ReadingStore {
     std::vector<AccessPoint> access_points;
     std::map<Bssid, std::size_t> index_of;
   };
+  static std::shared_ptr<const Table> makeTable(const std::vector<AccessPoint>& access_points);
 
   Config::Map config_;
   std::shared_ptr<const Table> table_;  // never changes: copies share it

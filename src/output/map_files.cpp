@@ -111,6 +111,11 @@ void writeRecording(const std::vector<Reading>& readings, const std::vector<Cont
   for (const AccessPointSummary& summary : snapshot.access_points) {
     access_points.push_back(summary.access_point);
   }
+  writeRecording(readings, contacts, access_points, directory);
+}
+
+void writeRecording(const std::vector<Reading>& readings, const std::vector<Contact>& contacts,
+                    const std::vector<AccessPoint>& access_points, const std::string& directory) {
   makeDirectories(directory);
   writeAtomically({{directory + "/readings.csv", readingsCsv(readings)},
                    {directory + "/contacts.csv", contactsCsv(contacts)},

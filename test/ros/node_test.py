@@ -89,6 +89,43 @@ class Node(unittest.TestCase):
         self.assertLess(seconds, 1.0)
 
 
+class Killed(unittest.TestCase):
+    """A process that is killed resumes from its autosave."""
+
+    def start(self, session):
+        node = session.start("node", sys.argv[1], "wifi_scan:=scan")
+        wait_until(lambda: any(topic == "/map" for topic, _ in
+                               session.master().getSystemState("/test")[2][0]) or None, 20, "map")
+        return node
+
+    def test_resumes(self):
+        with RosSession() as session:
+            session.set_parameter(NAME, {
+                "access_points": TABLE, "ros": {"autosave_period": 0.2, "resume": True}})
+            node = self.start(session)
+            session.start("tf", "rostopic", "pub", "/tf_static", "tf2_msgs/TFMessage",
+                          "{transforms: [{header: {frame_id: map}, child_frame_id: base_link, "
+                          "transform: {translation: {x: 1, y: 2}, rotation: {w: 1}}}]}")
+            session.run("rostopic", "pub", "-1", "/scan", "structure_from_wifi/WifiScan",
+                        "{header: auto, readings: [{bssid: '02:00:00:00:00:01', rssi_dbm: -50}]}")
+            saved = session.folder / ".ros/structure_from_wifi/autosave"
+            try:
+                wait_until(lambda: (saved / "access_points.yaml").is_file(), 20, "the autosave")
+            except TimeoutError as error:
+                raise AssertionError("%s\n%s" % (error, session.text_of(node)))
+            readings = (saved / "readings.csv").read_text()
+            self.assertEqual(len(readings.splitlines()), 2)
+            node.kill()
+            node.wait(10)
+            node = self.start(session)
+            wait_until(lambda: "The session goes on: added 1 readings" in session.text_of(node), 20,
+                       "the session")
+            answer = session.run("rosservice", "call", NAME + "/save_map", "{directory: again}")
+            self.assertIn("success: True", answer)
+            again = saved.parent / "again" / "readings.csv"
+            self.assertEqual(again.read_text(), readings)
+
+
 class LaunchArguments(unittest.TestCase):
     LAUNCH = pathlib.Path(__file__).resolve().parent.parent.parent / "launch" / "mapping.launch"
 

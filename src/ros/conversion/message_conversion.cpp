@@ -122,6 +122,40 @@ nav_msgs::OccupancyGrid toTrinaryGrid(const Grid<CellState>& states,
   return toGrid(states.geometry, header, [&](Cell c) { return toCell(states[c]); });
 }
 
+bool haveSameGeometry(const nav_msgs::MapMetaData& a, const nav_msgs::MapMetaData& b) {
+  return a.width == b.width && a.height == b.height && a.resolution == b.resolution &&
+         a.origin == b.origin;
+}
+
+map_msgs::OccupancyGridUpdate toUpdate(const nav_msgs::OccupancyGrid& before,
+                                       const nav_msgs::OccupancyGrid& after) {
+  const std::uint32_t width = after.info.width;
+  std::uint32_t left = width, right = 0, low = after.info.height, high = 0;
+  for (std::size_t i = 0; i < after.data.size(); ++i) {
+    if (after.data[i] != before.data[i]) {
+      const auto x = static_cast<std::uint32_t>(i % width);
+      const auto y = static_cast<std::uint32_t>(i / width);
+      left = std::min(left, x);
+      right = std::max(right, x);
+      low = std::min(low, y);
+      high = std::max(high, y);
+    }
+  }
+  left = std::min(left, right);
+  low = std::min(low, high);
+  map_msgs::OccupancyGridUpdate update;
+  update.header = after.header;
+  update.x = static_cast<std::int32_t>(left);
+  update.y = static_cast<std::int32_t>(low);
+  update.width = right - left + 1;
+  update.height = high - low + 1;
+  for (std::uint32_t y = low; y <= high; ++y) {
+    const auto row = after.data.begin() + static_cast<std::ptrdiff_t>(std::size_t{y} * width);
+    update.data.insert(update.data.end(), row + left, row + right + 1);
+  }
+  return update;
+}
+
 nav_msgs::OccupancyGrid toProbabilityGrid(const BeliefMap& belief, const std_msgs::Header& header) {
   return toGrid(belief.geometry(), header, [&](Cell c) {
     return belief.known(c) ? static_cast<std::int8_t>(std::lround(100.0F * belief.occupied(c)))

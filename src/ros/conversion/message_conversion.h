@@ -2,6 +2,7 @@
 
 #include <geometry_msgs/Point.h>
 #include <geometry_msgs/TransformStamped.h>
+#include <map_msgs/OccupancyGridUpdate.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <nav_msgs/Path.h>
 #include <octomap_msgs/Octomap.h>
@@ -37,6 +38,14 @@ nav_msgs::MapMetaData toMetaData(const GridGeometry& geometry, const ros::Time& 
 nav_msgs::OccupancyGrid toTrinaryGrid(const BeliefMap& belief, const std_msgs::Header& header);
 nav_msgs::OccupancyGrid toTrinaryGrid(const Grid<CellState>& states,
                                       const std_msgs::Header& header);
+
+/// Whether two grids cover the same cells.
+bool haveSameGeometry(const nav_msgs::MapMetaData& a, const nav_msgs::MapMetaData& b);
+
+/// The smallest rectangle that contains every change between two grids of the same geometry; one
+/// cell if nothing changed. It always lies inside the grid.
+map_msgs::OccupancyGridUpdate toUpdate(const nav_msgs::OccupancyGrid& before,
+                                       const nav_msgs::OccupancyGrid& after);
 
 /// The probability of being occupied in percent, -1 in unknown cells.
 nav_msgs::OccupancyGrid toProbabilityGrid(const BeliefMap& belief, const std_msgs::Header& header);

@@ -18,12 +18,14 @@ std::vector<std::string> validate(const RosSettings& settings) {
   problems.atLeast("ros/max_waiting", settings.max_waiting, 1);
   problems.require(!settings.save_directory.empty(), "ros/save_directory",
                    "'" + settings.save_directory + "'", "a directory");
+  problems.notNegative("ros/autosave_period", settings.autosave_period_s);
   return problems.list();
 }
 
 MappingSettings mappingSettingsFromYaml(const YAML::Node& node) {
   MappingSettings settings;
   SettingsTree tree(node);
+  tree.dropGroup("clicked_point_bssid");  // read at each click
   readSettings(tree, settings.config);
   forEachRosSetting(settings.ros, [&](const char* name, auto& value) { tree.read(name, value); });
   tree.problems().add(validate(settings.ros));

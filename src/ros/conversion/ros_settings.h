@@ -23,7 +23,10 @@ struct RosSettings {
   double transform_timeout_s = 5.0;         ///< longest wait of a scan for its transform
   double tf_cache_s = 30.0;                 ///< time for which transforms are stored
   std::int64_t max_waiting = 2000;          ///< scans that may wait for a transform
+  bool map_updates = false;                 ///< publish changes on map_updates
   std::string save_directory = "~/.ros/structure_from_wifi";  ///< of ~save_map
+  double autosave_period_s = 60.0;                            ///< of saving the session; 0: never
+  bool resume = false;                                        ///< go on with the session saved last
 };
 
 /// Calls `visit(name, member)` for each setting, as forEachSetting does for those of the mapper.
@@ -38,7 +41,10 @@ void forEachRosSetting(AnySettings& settings, Visitor&& visit) {
   visit("ros/transform_timeout", settings.transform_timeout_s);
   visit("ros/tf_cache", settings.tf_cache_s);
   visit("ros/max_waiting", settings.max_waiting);
+  visit("ros/map_updates", settings.map_updates);
   visit("ros/save_directory", settings.save_directory);
+  visit("ros/autosave_period", settings.autosave_period_s);
+  visit("ros/resume", settings.resume);
 }
 
 /// Every problem of the settings, one sentence each that starts with the setting's name.

@@ -156,6 +156,9 @@ TransformStatus transformStatus(const RosSettings& config, const tf2::BufferCore
 }
 
 std::string whyNoReading(const MappingStatus& status) {
+  if (status.is_paused) {
+    return "mapping is paused";
+  }
   if (status.is_clock_missing) {
     return "/use_sim_time is set, but no node publishes /clock";
   }
@@ -243,6 +246,8 @@ void describeMap(const MappingStatus& status, DiagnosticStatusWrapper& to) {
     to.summary(DiagnosticStatus::ERROR, "The map update failed: " + status.update_failure);
   } else if (status.free_m2 <= 0.0) {
     to.summary(DiagnosticStatus::WARN, "There is no map yet: " + whyNoMap(status) + ".");
+  } else if (!status.autosave_failure.empty()) {
+    to.summary(DiagnosticStatus::WARN, "The session is not saved: " + status.autosave_failure);
   } else if (hearsOnlyUnknown(status)) {
     to.summary(DiagnosticStatus::WARN, "The map has no walls: " + whyNoMap(status) + ".");
   } else {

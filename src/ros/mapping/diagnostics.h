@@ -33,6 +33,7 @@ TransformStatus transformStatus(const RosSettings& config, const tf2::BufferCore
 struct MappingStatus {
   std::string failure;            ///< why it cannot map at all, a problem a line; empty if it can
   std::string update_failure;     ///< why the last map update failed; empty if it did not
+  std::string autosave_failure;   ///< why the session was not saved last time; empty if it was
   bool is_clock_missing = false;  ///< /use_sim_time is set, and no /clock came
   bool is_paused = false;
   double now_s = 0.0;      ///< of the clock of InputStatistics

@@ -87,6 +87,12 @@ std::optional<OdometryCorrection> latestCorrection(const RosSettings& config,
   }
 }
 
+Position inMap(const geometry_msgs::Transform& map_from_frame, const geometry_msgs::Point& point) {
+  const Eigen::Vector3d in_frame(point.x, point.y, point.z);
+  return (toQuaternion(map_from_frame.rotation) * in_frame + toVector(map_from_frame.translation))
+      .head<2>();
+}
+
 PathCorrector::Tolerance jumpTolerance(const RosSettings& config) {
   return {config.jump_distance_m, config.jump_angle_rad};
 }

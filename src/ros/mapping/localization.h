@@ -1,5 +1,7 @@
 #pragma once
 
+#include <geometry_msgs/Point.h>
+#include <geometry_msgs/Transform.h>
 #include <tf2/buffer_core.h>
 
 #include <optional>
@@ -29,6 +31,9 @@ std::optional<LocatedObservation> locate(const Observation& observation, const R
 /// Looks up the latest position of the antenna and correction of the odometry, if tf has both.
 std::optional<OdometryCorrection> latestCorrection(const RosSettings& config,
                                                    const tf2::BufferCore& transforms);
+
+/// A point of another frame, in the map frame [m].
+Position inMap(const geometry_msgs::Transform& map_from_frame, const geometry_msgs::Point& point);
 
 /// The settings of corrections that move the path.
 PathCorrector::Tolerance jumpTolerance(const RosSettings& config);

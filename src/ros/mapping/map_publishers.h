@@ -5,6 +5,7 @@
 #include <ros/publisher.h>
 
 #include <atomic>
+#include <cstddef>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -29,11 +30,27 @@ struct PublishedMap {
 /// One thread publishes at a time; any thread may call last().
 class MapPublishers {
  public:
-  /// Advertises all topics.
-  MapPublishers(ros::NodeHandle& node, const std::string& map_frame, const Config& config);
+  /// What a publisher does beside the whole map.
+  enum class Updates {
+    kNone,
+    kRectangles  ///< publish the changed rectangle on `map_updates` instead of a map
+  };
 
-  /// Publishes a snapshot on all topics but the OctoMaps', which are due from now on.
-  void publish(const std::shared_ptr<const Snapshot>& snapshot, const DataFindings& findings = {});
+  /// Advertises all topics.
+  MapPublishers(ros::NodeHandle& node, const std::string& map_frame, const Config& config,
+                Updates updates);
+
+  /// When a grid is published.
+  enum class When { kChanged, kAlways };
+
+  /// Publishes a snapshot on all topics but the OctoMaps', which are due from now on. Grids that
+  /// did not change are not published again, because planners and localisations start anew with
+  /// each map. The other messages name the last map by its stamp.
+  void publish(const std::shared_ptr<const Snapshot>& snapshot, const DataFindings& findings = {},
+               When when = When::kChanged);
+
+  /// With updates, publishes the whole map if a new subscriber has only seen an old one.
+  void publishDueMap();
 
   /// Publishes the OctoMaps if they are due and have a subscriber. A new subscriber makes them due
   /// again.
@@ -43,6 +60,15 @@ class MapPublishers {
   std::shared_ptr<const PublishedMap> last() const;
 
  private:
+  /// A grid topic, and what it published last.
+  struct GridTopic {
+    ros::Publisher publisher;
+    std::size_t hash = 0;
+
+    void publish(const nav_msgs::OccupancyGrid& grid, When when);
+  };
+
+  void publishMap(const PublishedMap& map, const PublishedMap* before);
   void publishOctomap(const PublishedMap& map);
 
   std::string map_frame_;
@@ -51,8 +77,11 @@ class MapPublishers {
   mutable std::mutex mutex_;  // around last_
   std::shared_ptr<const PublishedMap> last_;
   std::atomic<bool> octomap_due_{false};  // set by roscpp's thread when a subscriber comes
-  ros::Publisher map_, metadata_, probability_, costs_, wall_loss_, octomap_binary_, octomap_full_,
-      markers_, path_, access_points_, walls_;
+  std::atomic<bool> map_due_{true};       // likewise
+  Updates updates_;
+  GridTopic probability_, costs_, wall_loss_;
+  ros::Publisher map_, map_updates_, metadata_, octomap_binary_, octomap_full_, markers_, path_,
+      access_points_, walls_;
 };
 
 }  // namespace sfw

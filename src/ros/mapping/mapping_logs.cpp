@@ -90,6 +90,7 @@ MappingStatus MappingNodelet::status() const {
   status.inputs = statistics_.inputs(status.now_s);
   status.transform = transformStatus(ros_settings_, *transforms_, ros::Time::now());
   status.transform_timeout_s = ros_settings_.transform_timeout_s;
+  status.is_paused = paused_;
   status.waiting = queue_->size();
   status.readings = mapper_->readings();
   status.rejections = mapper_->rejections();
@@ -100,6 +101,7 @@ MappingStatus MappingNodelet::status() const {
   }
   const std::lock_guard<std::mutex> lock(facts_mutex_);
   status.update_failure = facts_.update_failure;
+  status.autosave_failure = facts_.autosave_failure;
   status.inference_s = facts_.inference_s;
   status.expired = facts_.expired;
   status.overflowed = facts_.overflowed;

@@ -15,6 +15,9 @@ MappingNodelet::~MappingNodelet() {
       thread->join();
     }
   }
+  if (mapper_ && unsaved_) {
+    autosave();
+  }
 }
 
 void MappingNodelet::onInit() {
@@ -63,6 +66,7 @@ void MappingNodelet::loadParameters() {
   access_points_ = table.access_points;
   mapper_.emplace(config_, access_points_, jumpTolerance(ros_settings_));
   queue_.emplace(ros_settings_);
+  refresh_rule_.emplace(config_.tomography.bin_size_m);
   transforms_.emplace(ros::Duration(ros_settings_.tf_cache_s));
 }
 
@@ -70,7 +74,9 @@ void MappingNodelet::advertise() {
   ros::NodeHandle node = getNodeHandle();
   // The map is inferred first. If no map is possible, nothing may be advertised.
   const std::shared_ptr<const Snapshot> empty = mapper_->corrected({}).mapper.infer(stop_);
-  publishers_.emplace(node, ros_settings_.map_frame, config_);
+  using Updates = MapPublishers::Updates;
+  publishers_.emplace(node, ros_settings_.map_frame, config_,
+                      ros_settings_.map_updates ? Updates::kRectangles : Updates::kNone);
   publishers_->publish(empty);
 
   advertiseServices();
@@ -99,6 +105,9 @@ void MappingNodelet::receive(const Input<Message>& input, std::size_t index,
   Conversion conversion = input.convert(
       message, {ros::Time::now(), ros_settings_.antenna_frame, config_.path.footprint_radius_m});
   statistics_.count(index, conversion, ros::SteadyTime::now().toSec());
+  if (paused_) {
+    return;
+  }
   for (Observation& observation : conversion.observations) {
     queue_->push(std::move(observation));
   }
@@ -146,15 +155,20 @@ void MappingNodelet::noticeTimeJump(const ros::Time& now) {
 
 void MappingNodelet::locateObservations() {
   ObservationQueue::Outcome outcome;
+  bool is_news = false;
   {
     const std::lock_guard<std::mutex> lock(locating_);
     outcome = queue_->locate(*transforms_, ros::Time::now(),
-                             [this](const LocatedObservation& observation) {
+                             [this, &is_news](const LocatedObservation& observation) {
                                mapper_->insert(observation);
+                               is_news = refresh_rule_->isNews(observation) || is_news;
                                announceFirstReading(observation);
                              });
   }
   if (outcome.located > 0) {
+    unsaved_ = true;
+  }
+  if (is_news) {
     changed_ = true;
   }
   warnOfLosses(outcome);

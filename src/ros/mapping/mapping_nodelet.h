@@ -1,13 +1,17 @@
 #pragma once
 
 #include <diagnostic_updater/diagnostic_updater.h>
+#include <geometry_msgs/PointStamped.h>
 #include <nav_msgs/GetMap.h>
 #include <nodelet/nodelet.h>
 #include <octomap_msgs/GetOctomap.h>
 #include <ros/callback_queue.h>
 #include <ros/service_server.h>
 #include <ros/subscriber.h>
+#include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
+#include <structure_from_wifi/ClearRegion.h>
+#include <structure_from_wifi/LoadMap.h>
 #include <structure_from_wifi/SaveMap.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
@@ -29,6 +33,7 @@
 #include "ros/mapping/input_statistics.h"
 #include "ros/mapping/map_publishers.h"
 #include "ros/mapping/observation_queue.h"
+#include "ros/mapping/refresh_rule.h"
 #include "ros/mapping/shared_mapper.h"
 #include "structure_from_wifi/config.h"
 #include "structure_from_wifi/data_checks.h"
@@ -81,6 +86,7 @@ class MappingNodelet : public nodelet::Nodelet {
   void noticeTimeJump(const ros::Time& now);
   bool serveMap(nav_msgs::GetMap::Response& response);
   bool reset(std_srvs::Trigger::Response& response);
+  bool pause(const std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
 
   // In the mapping thread.
   void stepMapping();
@@ -99,10 +105,28 @@ class MappingNodelet : public nodelet::Nodelet {
   bool serveOctomap(bool binary, octomap_msgs::GetOctomap::Response& response);
   bool saveMap(const structure_from_wifi::SaveMap::Request& request,
                structure_from_wifi::SaveMap::Response& response);
+  bool loadMap(const structure_from_wifi::LoadMap::Request& request,
+               structure_from_wifi::LoadMap::Response& response);
+  bool clearRegion(const structure_from_wifi::ClearRegion::Request& request,
+                   structure_from_wifi::ClearRegion::Response& response);
+  /// Gives the access point `~clicked_point_bssid` the position of a click in rviz.
+  void placeAccessPoint(const geometry_msgs::PointStamped& click);
+  void refreshWhollyAnew();
+
+  // Sessions, in the mapping thread; the destructor saves the last time.
+  void resumeOnce();
+  /// @return what was added, in words
+  std::string addSession(const std::string& directory);
+  void autosaveIfDue();
+  /// Never throws; a failure is logged and shown in diagnostics.
+  void autosave();
+  std::string autosaveDirectory() const;
+
   std::string whyNothingToSave() const;
   /// The directory of a name. It gets a number if it holds a recording that this session did not
   /// write.
   std::string directoryToSave(const std::string& name);
+  void forgetDirectories();
 
   // In both threads.
   void locateObservations();
@@ -124,6 +148,7 @@ class MappingNodelet : public nodelet::Nodelet {
 
   ros::CallbackQueue quick_calls_, slow_calls_;  // outlive the servers that use them
   std::vector<ros::ServiceServer> servers_;
+  ros::Subscriber click_subscriber_;
 
   std::mutex locating_;    // held while observations go from the queue to the mapper
   std::mutex publishing_;  // held while a map is published, and during a reset
@@ -134,6 +159,11 @@ class MappingNodelet : public nodelet::Nodelet {
   std::atomic<bool> clear_reported_{false};
   std::set<std::string> own_directories_;  // written since the last reset; in the mapping thread
   std::atomic<bool> forget_directories_{false};
+  bool resumed_ = false;  // in the mapping thread, as the next member
+  ros::SteadyTime next_autosave_;
+  std::atomic<bool> unsaved_{false};  // since the last autosave
+  std::atomic<bool> paused_{false};
+  std::optional<RefreshRule> refresh_rule_;  // guarded by locating_
 
   // Facts for diagnostics and logs.
   std::optional<diagnostic_updater::Updater> diagnostics_;
@@ -145,6 +175,7 @@ class MappingNodelet : public nodelet::Nodelet {
   mutable std::mutex facts_mutex_;  // around the next member
   struct Facts {
     std::string update_failure;
+    std::string autosave_failure;
     double inference_s = 0.0;
     std::size_t expired = 0, overflowed = 0;
   } facts_;

@@ -2,47 +2,24 @@
 
 #include <octomap/OcTree.h>
 
-#include <cstdlib>
-#include <fstream>
+#include <cmath>
 
 #include "ros/conversion/message_conversion.h"
 #include "ros/mapping/mapping_nodelet.h"
-#include "structure_from_wifi/map_files.h"
-#include "structure_from_wifi/map_notes.h"
+#include "ros/mapping/region.h"
 #include "structure_from_wifi/octomap_export.h"
 
 namespace sfw {
-namespace {
-
-/// Whether a name stays in its parent directory: it has only letters, digits, '.', '_' and '-'.
-bool isPlainName(const std::string& name) {
-  constexpr char kAllowed[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-";
-  constexpr std::size_t kLongest = 200;
-  return !name.empty() && name.size() <= kLongest && name.front() != '.' &&
-         name.find_first_not_of(kAllowed) == std::string::npos;
-}
-
-std::string withHome(const std::string& directory) {
-  const char* home = std::getenv("HOME");
-  const bool starts_at_home = directory.compare(0, 2, "~/") == 0;
-  return starts_at_home && home != nullptr ? home + directory.substr(1) : directory;
-}
-
-/// Whether a directory contains a recording with readings.
-bool holdsReadings(const std::string& directory) {
-  std::ifstream file(directory + "/readings.csv");
-  std::string line;
-  return std::getline(file, line) && std::getline(file, line);
-}
-
-}  // namespace
 
 void MappingNodelet::advertiseServices() {
   ros::NodeHandle node = getNodeHandle();
   ros::NodeHandle private_node = getPrivateNodeHandle();
   using Map = nav_msgs::GetMap;
   using Octomap = octomap_msgs::GetOctomap;
+  using Clear = structure_from_wifi::ClearRegion;
+  using Load = structure_from_wifi::LoadMap;
   using Save = structure_from_wifi::SaveMap;
+  using SetBool = std_srvs::SetBool;
   using Trigger = std_srvs::Trigger;
   node.setCallbackQueue(&quick_calls_);
   private_node.setCallbackQueue(&quick_calls_);
@@ -50,6 +27,8 @@ void MappingNodelet::advertiseServices() {
       "dynamic_map", [this](auto&, auto& response) { return serveMap(response); }));
   servers_.push_back(private_node.advertiseService<Trigger::Request, Trigger::Response>(
       "reset", [this](auto&, auto& response) { return reset(response); }));
+  servers_.push_back(private_node.advertiseService<SetBool::Request, SetBool::Response>(
+      "pause", [this](auto& request, auto& response) { return pause(request, response); }));
   node.setCallbackQueue(&slow_calls_);
   private_node.setCallbackQueue(&slow_calls_);
   servers_.push_back(node.advertiseService<Octomap::Request, Octomap::Response>(
@@ -58,6 +37,14 @@ void MappingNodelet::advertiseServices() {
       "octomap_full", [this](auto&, auto& response) { return serveOctomap(false, response); }));
   servers_.push_back(private_node.advertiseService<Save::Request, Save::Response>(
       "save_map", [this](auto& request, auto& response) { return saveMap(request, response); }));
+  servers_.push_back(private_node.advertiseService<Load::Request, Load::Response>(
+      "load_map", [this](auto& request, auto& response) { return loadMap(request, response); }));
+  servers_.push_back(private_node.advertiseService<Clear::Request, Clear::Response>(
+      "clear_region",
+      [this](auto& request, auto& response) { return clearRegion(request, response); }));
+  constexpr std::uint32_t kQueue = 10;
+  click_subscriber_ =
+      node.subscribe("clicked_point", kQueue, &MappingNodelet::placeAccessPoint, this);
 }
 
 bool MappingNodelet::serveMap(nav_msgs::GetMap::Response& response) {
@@ -68,14 +55,18 @@ bool MappingNodelet::serveMap(nav_msgs::GetMap::Response& response) {
 bool MappingNodelet::reset(std_srvs::Trigger::Response& response) {
   // The mapping thread may be inferring a map of the old readings. It does not publish that map.
   const std::lock_guard<std::mutex> lock(publishing_);
-  mapper_->reset();
-  queue_->clear();
+  {
+    const std::lock_guard<std::mutex> locating(locating_);
+    mapper_->reset();
+    queue_->clear();
+    refresh_rule_->clear();
+  }
   clear_reported_ = true;
   forget_directories_ = true;
   announcements_.clear();
   const std::shared_ptr<const Snapshot> empty = mapper_->corrected({}).mapper.infer(stop_);
   if (empty) {
-    publishers_->publish(empty);
+    publishers_->publish(empty, {}, MapPublishers::When::kAlways);
     response.success = 1;
   }
   return true;
@@ -95,57 +86,73 @@ bool MappingNodelet::serveOctomap(bool binary, octomap_msgs::GetOctomap::Respons
   return true;
 }
 
-std::string MappingNodelet::whyNothingToSave() const {
-  const std::string reason = whyNoReading(status());
-  return "there are no readings yet" + (reason.empty() ? "" : "; " + reason);
+bool MappingNodelet::pause(const std_srvs::SetBool::Request& request,
+                           std_srvs::SetBool::Response& response) {
+  paused_ = request.data != 0;
+  response.success = 1;
+  response.message = paused_ ? "readings and contacts are dropped until ~pause is called with false"
+                             : "readings and contacts are used";
+  NODELET_INFO_STREAM("Pause: " << response.message);
+  return true;
 }
 
-std::string MappingNodelet::directoryToSave(const std::string& name) {
-  if (forget_directories_.exchange(false)) {
-    own_directories_.clear();
+bool MappingNodelet::clearRegion(const structure_from_wifi::ClearRegion::Request& request,
+                                 structure_from_wifi::ClearRegion::Response& response) {
+  std::vector<Position> polygon;
+  bool finite = std::isfinite(request.centre.x + request.centre.y + request.radius);
+  for (const geometry_msgs::Point& corner : request.polygon) {
+    polygon.emplace_back(corner.x, corner.y);
+    finite = finite && polygon.back().allFinite();
   }
-  const std::string wanted = withHome(ros_settings_.save_directory) + "/" + name;
-  std::string directory = wanted;
-  for (int i = 2; own_directories_.count(directory) == 0 && holdsReadings(directory); ++i) {
-    directory = wanted + "_" + std::to_string(i);
-  }
-  return directory;
-}
-
-bool MappingNodelet::saveMap(const structure_from_wifi::SaveMap::Request& request,
-                             structure_from_wifi::SaveMap::Response& response) {
-  response.success = 0;
-  if (!isPlainName(request.directory)) {
-    response.message =
-        "directory must be a name of letters, digits, '.', '_' and '-' that does not start with "
-        "'.'";
+  if (!finite || (polygon.empty() ? request.radius <= 0.0 : polygon.size() < 3)) {
+    response.message = "polygon must have at least 3 finite corners, or radius must be above 0";
     return true;
   }
-  try {
-    locateObservations();
-    const Mapping mapping = publishMap(Checks::kAll);
-    if (!mapping.snapshot) {
-      response.message = "the map was not saved: the mapping node is shutting down";
-      return true;
-    }
-    const Mapper& mapper = mapping.copy.mapper;
-    if (mapper.readings().empty()) {
-      response.message = "nothing was saved: " + whyNothingToSave();
-      return true;
-    }
-    const std::string directory = directoryToSave(request.directory);
-    for (const MapNote& note : mapNotes(*mapping.snapshot, mapping.findings)) {
-      NODELET_WARN_STREAM(note.text);
-    }
-    writeRecording(mapper.readings(), mapper.contacts(), *mapping.snapshot, directory);
-    writeMapFiles(*mapping.snapshot, config_, directory, mapping.findings);
-    own_directories_.insert(directory);
-    response.success = 1;
-    response.message = directory;
-  } catch (const std::exception& error) {
-    response.message = error.what();
-  }
+  const Position centre(request.centre.x, request.centre.y);
+  locateObservations();
+  const auto [readings, contacts] = mapper_->forget([&](const Position& point) {
+    return polygon.empty() ? (point - centre).norm() <= request.radius : contains(polygon, point);
+  });
+  refreshWhollyAnew();
+  response.success = 1;
+  response.readings = static_cast<std::uint32_t>(readings);
+  response.contacts = static_cast<std::uint32_t>(contacts);
+  response.message = std::to_string(readings) + " readings and " + std::to_string(contacts) +
+                     " contacts are forgotten";
   return true;
+}
+
+void MappingNodelet::refreshWhollyAnew() {
+  const std::lock_guard<std::mutex> lock(locating_);
+  refresh_rule_->clear();
+  changed_ = true;
+  unsaved_ = true;
+}
+
+void MappingNodelet::placeAccessPoint(const geometry_msgs::PointStamped& click) {
+  std::string text;
+  getPrivateNodeHandle().getParam("clicked_point_bssid", text);
+  const std::optional<Bssid> bssid = Bssid::parse(text);
+  if (!bssid) {
+    NODELET_WARN_STREAM("clicked_point is ignored: "
+                        << getPrivateNodeHandle().getNamespace()
+                        << "/clicked_point_bssid must name the access point, as "
+                           "\"02:00:00:00:00:01\"; it is '"
+                        << text << "'");
+    return;
+  }
+  try {
+    const geometry_msgs::Transform map_from_click =
+        transforms_->lookupTransform(ros_settings_.map_frame, click.header.frame_id, ros::Time())
+            .transform;
+    const Position position = inMap(map_from_click, click.point);
+    mapper_->place(*bssid, position);
+    refreshWhollyAnew();
+    NODELET_INFO_STREAM("Access point " << bssid->str() << " stands at (" << position.x() << ", "
+                                        << position.y() << ") now, as clicked");
+  } catch (const std::exception& error) {
+    NODELET_WARN_STREAM("clicked_point is ignored: " << error.what());
+  }
 }
 
 }  // namespace sfw

@@ -5,7 +5,10 @@
 namespace sfw {
 
 void MappingNodelet::stepMapping() {
+  resumeOnce();
+  publishers_->publishDueMap();
   publishers_->publishDueOctomaps();
+  autosaveIfDue();
   if (ros::SteadyTime::now() < next_publication_) {
     return;
   }

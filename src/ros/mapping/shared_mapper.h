@@ -2,12 +2,15 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ros/mapping/localization.h"
+#include "ros/mapping/session.h"
 #include "structure_from_wifi/config.h"
 #include "structure_from_wifi/mapper.h"
 #include "structure_from_wifi/path_correction.h"
@@ -55,6 +58,19 @@ class SharedMapper {
   void keepExtent(const Box& extent, const Copy& copy);
 
   std::uint64_t resets() const;
+
+  /// Adds a session of before: its readings, contacts, and access points that the table lacks.
+  /// @return the number of access points whose position differs from the one that is kept
+  /// @throw InputError naming the reason, and changes nothing, if the mapper refuses any of it.
+  std::size_t add(const Session& session);
+
+  /// Gives an access point a position. The table gets an access point that it lacks.
+  /// @throw InputError if no map can hold the position
+  void place(const Bssid& bssid, const Position& position);
+
+  /// Forgets the readings and contacts of a region of the corrected map.
+  /// @return the number of readings and of contacts
+  std::pair<std::size_t, std::size_t> forget(const std::function<bool(const Position&)>& region);
 
  private:
   mutable std::mutex mutex_;
