@@ -22,15 +22,17 @@ ALLOWED = {
     "walls": "base grid radio tomography belief",
     "k_visibility": "base grid",
     "access_points": "base radio",
-    "mapping": "base path radio belief walls k_visibility access_points grid",
-    "output": "base grid files belief k_visibility mapping path",
+    "checks": "base grid path radio belief access_points",
+    "mapping": "base checks path radio belief walls k_visibility access_points grid",
+    "output": "base grid files belief checks k_visibility mapping path",
     "simulation": "base grid files",
     "wireless": "base",
-    "evaluation": "base grid files path radio tomography belief k_visibility mapping output simulation",
+    "evaluation": "base grid files path radio tomography belief checks k_visibility mapping output simulation",
     "training": "base grid path belief walls k_visibility simulation mapping",
 }
 # The rooms of public headers, where no source file of the same name tells.
-PUBLIC_ROOMS = {"types": "base", "export": "base", "input_error": "base", "snapshot": "mapping",
+PUBLIC_ROOMS = {"types": "base", "export": "base", "input_error": "base", "snapshot": "checks",
+                "recording_findings": "base",
                 "wall_segment": "base",
                 "access_point_estimate": "access_points"}
 INCLUDE = re.compile(r'\s*#\s*include\s*[<"]([a-z_]+)/(?:[a-z_]+/)*([a-z0-9_]+)\.h[>"]')

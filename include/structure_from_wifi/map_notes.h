@@ -21,9 +21,12 @@ struct MapNote {
     kAccessPoint,
     kOctomap,
     kDrift,
+    kUnits,
+    kFrames,
+    kCoverage,
   };
   Kind kind;          ///< its subject
-  std::string about;  ///< distinguishes notes of one kind, such as the bssid of an access point
+  std::string about;  ///< distinguishes notes of one kind
   std::string text;   ///< one or two sentences
 };
 

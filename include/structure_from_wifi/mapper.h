@@ -13,6 +13,7 @@
 #include "structure_from_wifi/export.h"
 #include "structure_from_wifi/grid_geometry.h"
 #include "structure_from_wifi/path_correction.h"
+#include "structure_from_wifi/recording_findings.h"
 #include "structure_from_wifi/snapshot.h"
 #include "structure_from_wifi/types.h"
 
@@ -54,6 +55,9 @@ class SFW_EXPORT Mapper {
   /// @param reason  in words
   /// @param count   number of readings
   void recordRejected(const std::string& reason, std::size_t count);
+
+  /// Tells what is wrong with transforms, for the notes. It replaces what was told before.
+  void recordFrames(const FrameFinding& frames);
 
   /// Moves all readings and contacts by the correction of a localisation. A reading or contact is
   /// dropped and counted if its new position does not fit the map. O(readings log corrections).

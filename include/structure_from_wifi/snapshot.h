@@ -11,6 +11,7 @@
 #include "structure_from_wifi/belief_map.h"
 #include "structure_from_wifi/export.h"
 #include "structure_from_wifi/grid_geometry.h"
+#include "structure_from_wifi/recording_findings.h"
 #include "structure_from_wifi/types.h"
 #include "structure_from_wifi/wall_segment.h"
 
@@ -49,7 +50,7 @@ struct WallCountClusters {
 /// An access point of the table and a summary of its readings.
 struct AccessPointSummary {
   AccessPoint access_point;                      ///< as in the table
-  std::size_t readings = 0;                      ///< number of its readings
+  std::size_t readings = 0;                      ///< number of its readings that the map uses
   std::optional<WallCountClusters> wall_counts;  ///< only of method k_visibility
 
   /// The estimated position if the table gives none; access_point.position has the same value then.
@@ -58,9 +59,8 @@ struct AccessPointSummary {
 
   double rssi_deviation_db = 0.0;  ///< standard deviation of its readings
 
-  /// Readings of 0 dBm. No radio receives so much; some drivers report 0 for a radio without a
-  /// signal.
-  std::size_t at_zero_dbm = 0;
+  /// Number of its readings that were offered to the mapper, used or not.
+  std::size_t heard = 0;
 
   std::vector<Sample> samples = {};  ///< its readings in the order of stamps, without stray poses
 };
@@ -134,6 +134,8 @@ struct Snapshot {
   /// cells of outer walls stay unknown. Only method tomography with `belief/walls: network` finds
   /// walls.
   std::vector<WallSegment> walls = {};
+
+  RecordingFindings recording = {};  ///< what is wrong with the recording
 };
 
 }  // namespace sfw

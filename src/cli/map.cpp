@@ -4,11 +4,15 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <sstream>
 
 #include "belief/belief_model.h"
+#include "checks/recording_checks.h"
+#include "checks/recording_notes.h"
 #include "cli/commands.h"
 #include "cli/warnings.h"
+#include "mapping/inliers.h"
 #include "ros/bags/bag_reader.h"
 #include "ros/conversion/input_messages.h"
 #include "ros/conversion/ros_settings.h"
@@ -29,6 +33,7 @@ struct MapOptions {
   std::string antenna_frame;
   std::string access_points;
   std::string contacts;
+  double scale = 1.0;
   std::string config;
   std::string output;
 };
@@ -47,18 +52,54 @@ MappingSettings loadSettings(const MapOptions& options) {
   return settings;
 }
 
-Mapper mapperFor(const std::string& access_points, const Config& config) {
-  const std::vector<AccessPoint> table = accessPointsWithWarnings(access_points);
+std::vector<AccessPoint> tableOf(const MapOptions& options) {
+  std::vector<AccessPoint> table = accessPointsWithWarnings(options.access_points);
+  for (AccessPoint& access_point : table) {
+    access_point.position *= options.scale;
+  }
+  return table;
+}
+
+/// Reads the file of readings, in metres.
+ReadingFile readingsOf(const MapOptions& options) {
+  ReadingFile file = options.bag.empty() ? readWithWarnings(options.readings) : ReadingFile{};
+  for (Reading& reading : file.readings) {
+    reading.antenna_in_map *= options.scale;
+  }
+  return file;
+}
+
+/// A note on units that make the map useless and slow, before it is made.
+std::optional<std::string> noteOnUnits(const std::vector<Reading>& readings,
+                                       const std::vector<AccessPoint>& table,
+                                       const Config& config) {
+  const RecordingData data{sortedByStamp(readings), {}, 0};
+  RecordingFindings units;
+  units.units = checkRecording({data, table, {}, 0, config.path.max_gap_m}).units;
+  std::vector<MapNote> notes;
+  addNotesOnRecording(units, notes);
+  return notes.empty() ? std::nullopt : std::optional(notes.front().text);
+}
+
+Mapper mapperFor(const MapOptions& options, const std::vector<Reading>& readings,
+                 const Config& config) {
+  const std::vector<AccessPoint> table = tableOf(options);
   configuredBeliefModel(config.belief);  // an error names its file, not the table
+  const std::optional<std::string> units = noteOnUnits(readings, table, config);
   try {
-    return Mapper(config, table);
+    Mapper mapper(config, table);
+    if (units) {
+      std::cerr << "sfw: " << options.readings << ": " << units->substr(0, units->find(';'))
+                << "; making the map may take minutes\n";
+    }
+    return mapper;
   } catch (const InputError& error) {
-    throw InputError(access_points + ": " + error.what());
+    throw InputError(units ? options.readings + ": " + *units
+                           : options.access_points + ": " + error.what());
   }
 }
 
-void insertReadings(const MapOptions& options, Mapper& mapper) {
-  const ReadingFile file = readWithWarnings(options.readings);
+void insertReadings(const ReadingFile& file, Mapper& mapper) {
   for (const Reading& reading : file.readings) {
     mapper.insert(reading);
   }
@@ -98,19 +139,24 @@ void reportRejections(const std::string& source, const Rejections& rejections) {
   }
 }
 
-/// Reports an access point whose position the table does not give.
-void reportAccessPoint(const std::string& table, const AccessPointSummary& summary) {
-  const std::string name = table + ": " + summary.access_point.bssid.str();
-  if (!hasPosition(summary) && summary.readings > 0) {  // mapNotes reports those without readings
-    warn(name + " is left out: it has no position, and its " + std::to_string(summary.readings) +
-         " readings do not suffice to estimate one");
-  } else if (summary.estimate) {
+/// Reports the estimated positions of the first few access points; report.json has all of them.
+void reportEstimates(const std::string& table, const std::vector<AccessPointSummary>& summaries) {
+  constexpr std::size_t kMostListed = 5;
+  std::size_t estimated = 0;
+  for (const AccessPointSummary& summary : summaries) {
+    if (!summary.estimate || ++estimated > kMostListed) {
+      continue;
+    }
     const Position& position = summary.access_point.position;
     std::ostringstream text;
-    text << std::fixed << std::setprecision(1) << name << " is estimated at (" << position.x()
-         << ", " << position.y() << "), standard deviation "
+    text << std::fixed << std::setprecision(1) << table << ": " << summary.access_point.bssid.str()
+         << " is estimated at (" << position.x() << ", " << position.y() << "), standard deviation "
          << std::sqrt(summary.estimate->covariance.diagonal().maxCoeff()) << " m";
     std::cerr << "sfw: " << text.str() << '\n';
+  }
+  if (estimated > kMostListed) {
+    std::cerr << "sfw: " << table << ": " << estimated - kMostListed
+              << " more positions are estimated; report.json lists them\n";
   }
 }
 
@@ -118,31 +164,31 @@ void run(const MapOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const MappingSettings settings = loadSettings(options);
   const Config& config = settings.config;
-  Mapper mapper = mapperFor(options.access_points, config);
+  const ReadingFile file = readingsOf(options);
+  Mapper mapper = mapperFor(options, file.readings, config);
   const std::string& source = options.bag.empty() ? options.readings : options.bag;
   if (options.bag.empty()) {
-    insertReadings(options, mapper);
+    insertReadings(file, mapper);
   } else {
     insertBag(options, settings, mapper);
   }
   if (!options.contacts.empty()) {
-    for (const Contact& contact : readContacts(options.contacts)) {
+    for (Contact contact : readContacts(options.contacts)) {
+      contact.point_in_map *= options.scale;
       mapper.insert(contact);
     }
   }
   reportRejections(source, mapper.rejections());
   const std::shared_ptr<const Snapshot> snapshot = mapper.infer();
   const auto& found = snapshot->access_points;
+  const DataFindings findings = DataChecker().checkAll(*snapshot);
+  reportEstimates(options.access_points, found);
+  for (const MapNote& note : mapNotes(*snapshot, findings)) {
+    warn(source + ": " + note.text);
+  }
   if (std::all_of(found.begin(), found.end(), [](const auto& ap) { return ap.readings == 0; })) {
     throw InputError(source + ": no reading of an access point in " + options.access_points +
                      " can be used; the warnings above give the reasons");
-  }
-  const DataFindings findings = DataChecker().checkAll(*snapshot);
-  for (const AccessPointSummary& summary : snapshot->access_points) {
-    reportAccessPoint(options.access_points, summary);
-  }
-  for (const MapNote& note : mapNotes(*snapshot, findings)) {
-    warn(source + ": " + note.text);
   }
   writeMapFiles(*snapshot, config, options.output, findings);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
@@ -173,6 +219,9 @@ void runMap(Options& options) {
                       "YAML: access_points: [{bssid, x, y, z?, name?, tx_dbm?}]");
   options.add("contacts", "FILE", map.contacts,
               "CSV with the columns stamp, x, y: obstacles that the robot touched");
+  options.add("scale", "METRES", map.scale,
+              "length of the unit of x and y in the files of readings, contacts and access points: "
+              "0.01 for centimetres");
   options.add("config", "FILE", map.config, "settings as in config/mapping.yaml");
   options.addRequired("output", "DIRECTORY", map.output, "directory for the files of the map");
   if (!options.parse()) {
@@ -180,6 +229,12 @@ void runMap(Options& options) {
   }
   if (options.given("readings") == options.given("bag")) {
     throw InputError("map needs exactly one of --readings and --bag");
+  }
+  if (!(map.scale > 0.0) || !std::isfinite(map.scale)) {
+    throw InputError("--scale must be a number above 0");
+  }
+  if (options.given("scale") && options.given("bag")) {
+    throw InputError("--scale goes with --readings: positions of a bag are in metres");
   }
   run(map);
 }

@@ -111,11 +111,25 @@ std::optional<Fault> readPosition(const Table& table, std::size_t x, Position& p
   return fault;
 }
 
+/// Adds the likely unit to a fault of a stamp that is too large for seconds since 1970.
+Fault withUnit(Fault fault, const std::string& stamp) {
+  constexpr double kThousand = 1e3;
+  const double size = std::abs(parseNumber(stamp).value_or(0.0));
+  double largest = kMaxStamp;
+  for (const char* unit : {"milliseconds", "microseconds", "nanoseconds"}) {
+    if (size > largest && size <= largest * kThousand) {
+      fault.reason += std::string(", and looks like ") + unit + ": convert it to seconds";
+    }
+    largest *= kThousand;
+  }
+  return fault;
+}
+
 std::optional<Fault> readPlace(const Table& table, std::int64_t& stamp_ns, Position& position) {
   double stamp_s = 0.0;
   std::optional<Fault> fault = readNumber(table, 0, "stamp", -kMaxStamp, kMaxStamp, stamp_s);
   if (fault) {
-    return fault;
+    return withUnit(*fault, std::string(table.field(0)));
   }
   // A double holds present-day stamps in seconds only to a quarter of a microsecond.
   const std::optional<std::int64_t> exact_ns = parseNanoseconds(table.field(0));
@@ -134,7 +148,7 @@ std::optional<Fault> readReading(const Table& table, Reading& reading) {
     return Fault{"bssid is malformed", "bssid '" + std::string(text) + "'"};
   }
   reading.bssid = *bssid;
-  constexpr double kAbsurd = 1000.0;  // Mapper checks the signals
+  constexpr double kAbsurd = 1e5;  // Mapper checks the signals, and the notes name other units
   return readNumber(table, 4, "rssi_dbm", -kAbsurd, kAbsurd, reading.rssi_dbm);
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/erase_if.h"
+#include "checks/sentinel_checks.h"
 #include "grid/segment.h"
 #include "path/stray_poses.h"
 
@@ -147,6 +148,22 @@ void removeDrivenOver(const std::vector<PathPose>& path, double within_m, double
     }
     return false;
   });
+}
+
+void removeSentinels(const std::vector<SentinelFinding>& sentinels,
+                     const std::vector<AccessPoint>& table,
+                     std::vector<AccessPointReadings>& readings) {
+  for (std::size_t i = 0; i < table.size() && !sentinels.empty(); ++i) {
+    AccessPointReadings& radio = readings[i];
+    AccessPointReadings kept;
+    for (std::size_t j = 0; j < radio.samples.size(); ++j) {
+      if (!isSentinel(sentinels, table[i].bssid, radio.samples[j].rssi_dbm)) {
+        kept.samples.push_back(radio.samples[j]);
+        kept.poses.push_back(radio.poses[j]);
+      }
+    }
+    radio = std::move(kept);
+  }
 }
 
 std::vector<Position> positionsOf(const std::vector<PathPose>& path) {

@@ -41,6 +41,12 @@ Inliers withoutStrayPoses(std::vector<Reading> sorted, std::vector<Contact> cont
 void removeDrivenOver(const std::vector<PathPose>& path, double within_m, double max_gap_m,
                       std::vector<Contact>& contacts);
 
+/// Removes the readings whose value stands for "not heard". Their poses stay in the path.
+/// @param readings  of each access point of the table
+void removeSentinels(const std::vector<SentinelFinding>& sentinels,
+                     const std::vector<AccessPoint>& table,
+                     std::vector<AccessPointReadings>& readings);
+
 /// The antenna positions of a path [m], map frame, in its order.
 std::vector<Position> positionsOf(const std::vector<PathPose>& path);
 

@@ -7,6 +7,7 @@
 
 #include "access_points/access_point_estimation.h"
 #include "base/validation.h"
+#include "checks/recording_checks.h"
 #include "mapping/map_method.h"
 #include "mapping/reading_store.h"
 
@@ -27,13 +28,11 @@ Eigen::ArrayXd signalsOf(const std::vector<Sample>& samples) {
 }
 
 AccessPointSummary summaryOf(const AccessPoint& access_point, const std::vector<Sample>& samples) {
-  constexpr double kStrongest = -0.5;  // [dBm], half a step of most radios below 0
   AccessPointSummary summary{access_point, samples.size(), {}};
   const Eigen::ArrayXd rssi_dbm = signalsOf(samples);
   if (!samples.empty()) {
     summary.rssi_deviation_db = std::sqrt((rssi_dbm - rssi_dbm.mean()).square().mean());
   }
-  summary.at_zero_dbm = static_cast<std::size_t>((rssi_dbm > kStrongest).count());
   return summary;
 }
 
@@ -54,6 +53,14 @@ std::vector<AccessPointSummary> withEstimatedPositions(
     summaries.push_back(std::move(summary));
   }
   return summaries;
+}
+
+RecordingFindings checked(const ReadingStore& store, const RecordingData& data,
+                          const Inliers& inliers, const Config& config) {
+  RecordingFindings findings = checkRecording(
+      {data, store.accessPoints(), inliers.path, inliers.stamped_alike, config.path.max_gap_m});
+  findings.frames = store.frames();
+  return findings;
 }
 
 /// Sets the wall count of each pose: the smallest one of its samples.
@@ -96,6 +103,8 @@ void Mapper::recordRejected(const std::string& reason, std::size_t count) {
   store_->recordRejected(reason, count);
 }
 
+void Mapper::recordFrames(const FrameFinding& frames) { store_->recordFrames(frames); }
+
 void Mapper::correct(const PathCorrection& correction) { store_->correct(correction); }
 Box Mapper::extent() const { return store_->extentOf(store_->inliers()); }
 void Mapper::growTo(const Box& extent) { store_->growTo(extent); }
@@ -129,7 +138,10 @@ std::shared_ptr<const Snapshot> Mapper::inferWithoutRadio() const {
 
 std::shared_ptr<const Snapshot> Mapper::infer(UseRadio use_radio,
                                               const std::atomic<bool>& stop) const {
-  Inliers inliers = store_->inliers();
+  const RecordingData data = store_->data();
+  Inliers inliers = store_->inliers(data.accepted);
+  RecordingFindings findings = checked(*store_, data, inliers, config_);
+  removeSentinels(findings.sentinels, store_->accessPoints(), inliers.readings);
   // At a touch the contact lies at the edge of the footprint, so half of its radius is clearly
   // over.
   removeDrivenOver(inliers.path, 0.5 * config_.path.footprint_radius_m, config_.path.max_gap_m,
@@ -148,12 +160,13 @@ std::shared_ptr<const Snapshot> Mapper::infer(UseRadio use_radio,
       access_points[i].wall_counts = std::move(result.wall_counts[i]);
     }
     access_points[i].samples = std::move(inliers.readings[i].samples);
+    access_points[i].heard = store_->heard()[i];
   }
   return std::make_shared<const Snapshot>(Snapshot{
       BeliefMap(result.occupied, config_.belief), BeliefMap(result.probability, config_.belief),
       std::move(inliers.path), std::move(access_points), store_->rejections(),
       std::move(result.tomography), inliers.stray, inliers.motion, inliers.stamped_alike, extent,
-      std::move(result.wall_segments)});
+      std::move(result.wall_segments), std::move(findings)});
 }
 
 }  // namespace sfw

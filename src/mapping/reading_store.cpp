@@ -98,6 +98,7 @@ ReadingStore::ReadingStore(const Config::Map& config, const std::vector<AccessPo
       least_extent_(leastExtent(config, access_points)),
       reserved_extent_(least_extent_) {
   table_ = makeTable(access_points);
+  heard_.assign(access_points.size(), 0);
 }
 
 std::shared_ptr<const ReadingStore::Table> ReadingStore::makeTable(
@@ -144,6 +145,7 @@ InsertResult ReadingStore::makeRoomFor(const Position& point) {
 
 InsertResult ReadingStore::insert(const Reading& reading) {
   const InsertResult result = accept(reading);
+  remember(reading, result);
   if (result != InsertResult::kAccepted) {
     ++rejections_.count[result];
   }
@@ -154,6 +156,22 @@ InsertResult ReadingStore::insert(const Reading& reading) {
     ++unknown[reading.bssid];
   }
   return result;
+}
+
+void ReadingStore::remember(const Reading& reading, InsertResult result) {
+  constexpr std::size_t kMostRefused = 100000;
+  const auto found = table_->index_of.find(reading.bssid);
+  if (found != table_->index_of.end()) {
+    ++heard_[found->second];
+  }
+  const bool is_refused =
+      result == InsertResult::kRssiOutOfRange || result == InsertResult::kPositionTooFar;
+  if (is_refused && reading.antenna_in_map.allFinite() && refused_.size() < kMostRefused) {
+    refused_.push_back(reading);
+    refused_.back().rssi_dbm = rounded(reading.rssi_dbm, kRssiSteps);
+  }
+  last_stamp_ns_ = std::max(last_stamp_ns_.value_or(reading.stamp_ns), reading.stamp_ns);
+  step_back_ns_ = std::max(step_back_ns_, *last_stamp_ns_ - reading.stamp_ns);
 }
 
 InsertResult ReadingStore::examine(const Reading& reading) const {
@@ -271,6 +289,11 @@ void ReadingStore::reset() {
   readings_.clear();
   contacts_.clear();
   rejections_ = {};
+  refused_.clear();
+  heard_.assign(heard_.size(), 0);
+  last_stamp_ns_.reset();
+  step_back_ns_ = 0;
+  frames_ = {};
 }
 
 std::pair<std::size_t, std::size_t> ReadingStore::forget(
@@ -290,6 +313,12 @@ void ReadingStore::setAccessPoints(const std::vector<AccessPoint>& access_points
     throw InputError("no map can hold the access points and the path: " +
                      tooLargeText(extent, config_));
   }
+  std::vector<std::size_t> heard(access_points.size(), 0);
+  for (std::size_t i = 0; i < heard.size(); ++i) {
+    const auto before = table_->index_of.find(access_points[i].bssid);
+    heard[i] = before == table_->index_of.end() ? 0 : heard_[before->second];
+  }
+  heard_ = std::move(heard);
   table_ = std::move(table);
   least_extent_.extend(leastExtent(config_, access_points));
   reserved_extent_ = extent;
@@ -299,8 +328,12 @@ std::vector<Reading> ReadingStore::readings() const {
   return strongestOfEachStamp(sortedByStamp(readings_));
 }
 
-Inliers ReadingStore::inliers() const {
-  return withoutStrayPoses(sortedByStamp(readings_), contacts_, table_->index_of);
+RecordingData ReadingStore::data() const {
+  return {sortedByStamp(readings_), sortedByStamp(refused_), step_back_ns_};
+}
+
+Inliers ReadingStore::inliers(std::vector<Reading> sorted) const {
+  return withoutStrayPoses(std::move(sorted), contacts_, table_->index_of);
 }
 
 Box ReadingStore::extentOf(const Inliers& inliers) const {

@@ -5,13 +5,16 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "checks/recording_data.h"
 #include "mapping/inliers.h"
 #include "structure_from_wifi/config.h"
 #include "structure_from_wifi/path_correction.h"
+#include "structure_from_wifi/recording_findings.h"
 #include "structure_from_wifi/snapshot.h"
 #include "structure_from_wifi/types.h"
 
@@ -29,6 +32,7 @@ class ReadingStore {
   InsertResult insert(const Reading& reading);
   InsertResult insert(const Contact& contact);
   void recordRejected(const std::string& reason, std::size_t count);
+  void recordFrames(const FrameFinding& frames) { frames_ = frames; }
   void correct(const PathCorrection& correction);
   void growTo(const Box& extent);
   void reset();
@@ -41,8 +45,20 @@ class ReadingStore {
   const std::vector<Contact>& contacts() const { return contacts_; }
   const Rejections& rejections() const { return rejections_; }
 
+  const FrameFinding& frames() const { return frames_; }
+
+  /// The readings offered for each access point of the table, used or not.
+  const std::vector<std::size_t>& heard() const { return heard_; }
+
+  /// Everything offered, for the checks. O(readings log readings).
+  RecordingData data() const;
+
   /// The data of a map. O(readings log readings).
-  Inliers inliers() const;
+  /// @param sorted  all readings, as sortedByStamp returns them
+  /// @{
+  Inliers inliers(std::vector<Reading> sorted) const;
+  Inliers inliers() const { return inliers(sortedByStamp(readings_)); }
+  /// @}
 
   /// The extent of a map of such data [m], without its margin.
   Box extentOf(const Inliers& inliers) const;
@@ -54,6 +70,8 @@ class ReadingStore {
  private:
   InsertResult examine(const Reading& reading) const;
   InsertResult accept(const Reading& reading);
+  /// Keeps what the checks need of a reading that is offered.
+  void remember(const Reading& reading, InsertResult result);
 
   /// Extends the reserved extent to a point, unless the map would be too large.
   InsertResult makeRoomFor(const Position& point);
@@ -77,6 +95,12 @@ class ReadingStore {
   std::vector<Reading> readings_;
   std::vector<Contact> contacts_;
   Rejections rejections_;
+
+  std::vector<Reading> refused_;  // for their signal or position; the first ones
+  std::vector<std::size_t> heard_;
+  std::optional<std::int64_t> last_stamp_ns_;  // the latest one so far
+  std::int64_t step_back_ns_ = 0;
+  FrameFinding frames_;
 
   Box least_extent_;  // of a map without readings
   // All positions that were accepted lie in the reserved extent, stray or not. It decides whether

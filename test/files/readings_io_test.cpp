@@ -125,6 +125,23 @@ TEST_F(ReadingIo, SaysWhyNoRowCanBeUsed) {
                 "stamp is not a number (line 2: stamp 'x')");
 }
 
+TEST_F(ReadingIo, NamesTheUnitOfStampsSinceTheEpoch) {
+  const std::vector<std::pair<std::string, std::string>> stamps{
+      {"1600000000123", "milliseconds"},
+      {"1600000000123456.5", "microseconds"},
+      {"1600000000123456789", "nanoseconds"}};
+  for (const auto& [stamp, unit] : stamps) {
+    EXPECT_EQ(complaintOf(kHeader + stamp + ",0,0,02:00:00:00:00:01,-40\n"),
+              path("readings.csv") +
+                  ": no row can be used: stamp is out of range, and looks like " + unit +
+                  ": convert it to seconds (line 2: stamp '" + stamp + "')");
+  }
+}
+
+TEST_F(ReadingIo, LeavesSignalsInOtherUnitsToTheChecks) {
+  EXPECT_EQ(readText(kHeader + "1,0,0,02:00:00:00:00:01,-5200\n").readings[0].rssi_dbm, -5200.0);
+}
+
 TEST_F(ReadingIo, KeepsStampsToTheNanosecond) {
   EXPECT_EQ(stamp("1700000000.123456789"), 1700000000123456789);
   EXPECT_EQ(stamp("1700000000.000000001"), 1700000000000000001);

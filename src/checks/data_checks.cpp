@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "access_points/access_point_estimation.h"
+#include "checks/recording_checks.h"
 #include "radio/drift.h"
 
 namespace sfw {
@@ -14,7 +15,13 @@ constexpr double kMuchMore = 0.1;  // of the readings
 constexpr double kMoved = 0.1;     // [m]
 constexpr std::size_t kMostAtOnce = 4;
 
+/// Looks for drift, unless another fault of the recording explains why signals of a place differ.
 std::optional<DriftFinding> driftOf(const Snapshot& snapshot) {
+  const RecordingFindings& recording = snapshot.recording;
+  if (arePosesWrong(recording) || recording.signal_unit || !recording.sentinels.empty() ||
+      recording.cached || recording.bursts) {
+    return std::nullopt;
+  }
   std::vector<std::vector<Sample>> samples;
   for (const AccessPointSummary& summary : snapshot.access_points) {
     samples.push_back(summary.samples);

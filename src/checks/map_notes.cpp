@@ -1,0 +1,96 @@
+#include "structure_from_wifi/map_notes.h"
+
+#include <algorithm>
+
+#include "checks/access_point_notes.h"
+#include "checks/drive_notes.h"
+#include "checks/note_text.h"
+#include "checks/recording_checks.h"
+#include "checks/recording_notes.h"
+
+namespace sfw {
+namespace {
+
+using Notes = std::vector<MapNote>;
+
+constexpr std::size_t kFewReadings = 50;
+
+/// Readings of access points with a position.
+std::size_t usedReadings(const Snapshot& snapshot) {
+  std::size_t readings = 0;
+  for (const AccessPointSummary& summary : snapshot.access_points) {
+    readings += hasPosition(summary) ? summary.readings : 0;
+  }
+  return readings;
+}
+
+void addNoteOnSignals(const Snapshot& snapshot, Notes& notes) {
+  constexpr double kAlike = 0.5;  // [dB], half a step of most radios
+  std::size_t all_readings = 0;
+  const std::size_t readings = usedReadings(snapshot);
+  double deviation_db = 0.0;
+  for (const AccessPointSummary& summary : snapshot.access_points) {
+    all_readings += summary.readings;
+    if (hasPosition(summary)) {
+      deviation_db = std::max(deviation_db, summary.rssi_deviation_db);
+    }
+  }
+  if (!snapshot.recording.sentinels.empty() && readings < kFewReadings) {
+    return;  // the others are left out, as another note says
+  }
+  if (all_readings == 0) {
+    notes.push_back(
+        {MapNote::Kind::kTooLittle, "",
+         "no reading of an access point of the table can be used: the map follows from the path "
+         "alone; compare the BSSIDs"});
+  } else if (readings == 0) {
+    notes.push_back({MapNote::Kind::kTooLittle, "",
+                     "no access point with readings has a position: the map follows from the path "
+                     "alone; add positions to the table of access points"});
+  } else if (readings < kFewReadings) {
+    notes.push_back({MapNote::Kind::kTooLittle, "",
+                     "only " + counted(readings, "reading is", "readings are") +
+                         " of access points with a position: too few to find walls; drive on"});
+  } else if (deviation_db < kAlike) {
+    notes.push_back({MapNote::Kind::kSignals, "",
+                     "all signals of an access point are equal and contain no information about "
+                     "walls; check that the wireless driver reports RSSI"});
+  }
+}
+
+}  // namespace
+
+bool isFault(const MapNote& note) { return note.kind != MapNote::Kind::kTooLittle; }
+
+std::vector<MapNote> mapNotes(const Snapshot& snapshot, const DataFindings& findings) {
+  Notes notes;
+  const RecordingFindings& recording = snapshot.recording;
+  addNotesOnRecording(recording, notes);
+  if (!recording.frames.missing.empty()) {
+    return notes;  // there is hardly anything else
+  }
+  addNotesOnDrive(snapshot, notes);
+  addNoteOnSilence(snapshot, notes);
+  // From here on, each note could follow from one of the faults above.
+  if (arePosesWrong(recording) || recording.signal_unit || !isDriven(snapshot.path)) {
+    return notes;
+  }
+  addNoteOnSignals(snapshot, notes);
+  const bool is_path_doubtful = isDoubtful(snapshot.motion);
+  if (recording.gaps && !is_path_doubtful && usedReadings(snapshot) >= kFewReadings) {
+    addNoteOnGaps(*recording.gaps, notes);
+  }
+  addNotesOnRadios(snapshot, notes);
+  if (!is_path_doubtful && !recording.cached && !recording.bursts) {
+    addNotesOnPositions(snapshot, findings, notes);
+  }
+  const bool is_faultless = std::none_of(notes.begin(), notes.end(), isFault);
+  if (is_faultless && findings.drift && findings.drift->suspect) {
+    notes.push_back({MapNote::Kind::kDrift, "",
+                     "the path seems to have drifted: where it returns to a place, signals differ "
+                     "as much as from room to room; improve the localisation"});
+  }
+  return notes;
+}
+
+}  // namespace sfw

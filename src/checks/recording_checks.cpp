@@ -1,0 +1,152 @@
+#include "checks/recording_checks.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "base/erase_if.h"
+#include "checks/radio_checks.h"
+#include "checks/sentinel_checks.h"
+#include "checks/signal_checks.h"
+#include "checks/time_checks.h"
+#include "checks/unit_checks.h"
+
+namespace sfw {
+namespace {
+
+using ByRadio = std::vector<std::vector<Reading>>;
+
+bool isSignal(const Reading& reading) {
+  return reading.rssi_dbm > -120.0 && reading.rssi_dbm <= 0.0;
+}
+
+bool earlier(const Reading& a, const Reading& b) { return a.stamp_ns < b.stamp_ns; }
+
+/// Every pose once, by stamp, of accepted and of refused readings.
+std::vector<PathPose> posesOf(const RecordingData& data) {
+  std::vector<PathPose> poses;
+  poses.reserve(data.accepted.size());
+  const auto add = [&](const std::vector<Reading>& readings) {
+    for (const Reading& reading : readings) {
+      if (poses.empty() || poses.back().stamp_ns != reading.stamp_ns ||
+          poses.back().antenna_in_map != reading.antenna_in_map) {
+        poses.push_back({reading.stamp_ns, reading.antenna_in_map, PathPose::kNoWallCount});
+      }
+    }
+  };
+  add(data.accepted);
+  add(data.refused);
+  const auto order = [](const PathPose& pose) {
+    return std::make_tuple(pose.stamp_ns, pose.antenna_in_map.x(), pose.antenna_in_map.y());
+  };
+  std::sort(poses.begin(), poses.end(),
+            [&](const PathPose& a, const PathPose& b) { return order(a) < order(b); });
+  poses.erase(
+      std::unique(poses.begin(), poses.end(),
+                  [&](const PathPose& a, const PathPose& b) { return order(a) == order(b); }),
+      poses.end());
+  return poses;
+}
+
+/// The readings of each access point, by stamp.
+class Radios {
+ public:
+  explicit Radios(const CheckedRecording& recording) {
+    const std::size_t count = recording.table.size();
+    signals.resize(count);
+    others.resize(count);
+    std::map<Bssid, std::size_t> index_of;
+    for (std::size_t i = 0; i < count; ++i) {
+      index_of.emplace(recording.table[i].bssid, i);
+    }
+    add(recording.data.accepted, index_of);
+    add(recording.data.refused, index_of);
+    for (ByRadio* kind : {&signals, &others}) {
+      for (std::vector<Reading>& radio : *kind) {
+        std::stable_sort(radio.begin(), radio.end(), earlier);
+      }
+    }
+  }
+
+  ByRadio signals;  // in (-120, 0] dBm
+  ByRadio others;   // other numbers, which the mapper refuses
+
+ private:
+  void add(const std::vector<Reading>& readings, const std::map<Bssid, std::size_t>& index_of) {
+    for (const Reading& reading : readings) {
+      const auto found = index_of.find(reading.bssid);
+      if (found == index_of.end()) {
+        continue;
+      }
+      std::vector<Reading>& radio = (isSignal(reading) ? signals : others)[found->second];
+      if (radio.empty() || radio.back().stamp_ns != reading.stamp_ns) {  // else it is repeated
+        radio.push_back(reading);
+      }
+    }
+  }
+};
+
+bool isOneStamp(const CheckedRecording& recording, const std::vector<PathPose>& poses) {
+  return recording.stamped_alike > 0 && poses.front().stamp_ns == poses.back().stamp_ns;
+}
+
+bool areStampsCut(const CheckedRecording& recording) {
+  constexpr double kMany = 0.1;  // of the readings
+  return static_cast<double>(recording.stamped_alike) >
+         kMany * static_cast<double>(recording.data.accepted.size());
+}
+
+void checkPoses(const CheckedRecording& recording, const ByRadio& signals,
+                RecordingFindings& findings) {
+  const std::vector<PathPose> poses = posesOf(recording.data);
+  if (poses.empty()) {
+    return;
+  }
+  findings.is_one_stamp = isOneStamp(recording, poses);
+  if (findings.is_one_stamp) {
+    return;
+  }
+  const bool is_cut = areStampsCut(recording);
+  findings.overlap = checkOverlap(poses, recording.data.step_back_ns);
+  if (is_cut && findings.overlap && findings.overlap->step_back_s == 0.0) {
+    findings.overlap.reset();  // poses of one stamp lie in no order
+  }
+  findings.are_stamps_cut = is_cut && !findings.overlap;
+  if (!findings.overlap && !is_cut) {
+    findings.units = checkUnits(poses, powerAtOneUnit(recording.table, signals));
+  }
+}
+
+}  // namespace
+
+RecordingFindings checkRecording(const CheckedRecording& recording) {
+  RecordingFindings findings;
+  Radios radios(recording);
+  findings.signal_unit = checkSignalUnit(recording.table, radios.signals, radios.others);
+  if (!findings.signal_unit) {
+    findings.sentinels = findSentinels(recording.table, radios.signals, radios.others);
+    for (std::vector<Reading>& radio : radios.signals) {
+      eraseIf(radio, [&](const Reading& reading) {
+        return isSentinel(findings.sentinels, reading.bssid, reading.rssi_dbm);
+      });
+    }
+  }
+  checkPoses(recording, radios.signals, findings);
+  const bool are_poses_right = !arePosesWrong(findings);
+  if (!findings.signal_unit && are_poses_right) {
+    findings.cached = checkCachedSignals(recording.table, radios.signals);
+    findings.bursts = checkBursts(radios.signals);
+    findings.aliases = findAliases(recording.table, radios.signals);
+    findings.single_place = findHeardAtOnePlace(recording.table, radios.signals, recording.path);
+  }
+  if (are_poses_right && !findings.bursts) {
+    findings.gaps = checkGaps(recording.path, recording.max_gap_m);
+  }
+  return findings;
+}
+
+bool arePosesWrong(const RecordingFindings& findings) {
+  return findings.is_one_stamp || findings.are_stamps_cut || findings.overlap || findings.units;
+}
+
+}  // namespace sfw
