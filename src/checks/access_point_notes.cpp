@@ -89,12 +89,15 @@ void addNoteOnWrongPositions(const Snapshot& snapshot, const DataFindings& findi
     names.push_back(name);
   }
   constexpr std::size_t kSeveral = 3;
-  const bool are_all = wrong.size() == examined && examined >= kSeveral;
-  notes.push_back({MapNote::Kind::kAccessPoint, aboutOf("wrong position", wrong.size()),
-                   "the readings of " + counted(wrong.size(), "access point", "access points") +
-                       " fit another position much better than the given one: " + named(names) +
-                       (are_all ? "; check that table and readings are in the same frame"
-                                : "; measure the position again")});
+  constexpr double kOutside = 30.0;  // [m], farther than anybody measures wrongly
+  const bool is_other_frame =
+      (wrong.size() == examined && examined >= kSeveral) || -wrong.front().first > kOutside;
+  notes.push_back(
+      {MapNote::Kind::kAccessPoint, aboutOf("wrong position", wrong.size()),
+       "the readings of " + counted(wrong.size(), "access point", "access points") +
+           " fit another position much better than the given one: " + named(names) +
+           (is_other_frame ? "; check that table and readings are in metres and in the same frame"
+                           : "; measure the position again")});
 }
 
 void addNoteOnAmbiguousPositions(const Snapshot& snapshot, Notes& notes) {

@@ -138,7 +138,10 @@ void addNotesOnDrive(const Snapshot& snapshot, Notes& notes) {
   if (arePosesWrong(recording)) {
     return;
   }
-  if (!recording.signal_unit) {  // the mapper refuses such readings with their poses
+  // The mapper refuses signals that are no dBm with their poses.
+  const bool are_poses_refused =
+      recording.signal_unit || (snapshot.path.empty() && !recording.sentinels.empty());
+  if (!are_poses_refused) {
     addNoteOnPath(shapeOf(snapshot.path), notes);
   }
   addNoteOnStrayPoses(snapshot.stray, notes);

@@ -152,8 +152,9 @@ std::optional<double> sentinelOf(const std::vector<Reading>& readings) {
 }
 
 /// The value of nearly all signals that the mapper refused.
-std::optional<double> refusedSentinelOf(const std::vector<Reading>& refused) {
+std::optional<double> refusedSentinelOf(const std::vector<Reading>& refused, std::size_t accepted) {
   constexpr double kNearlyAll = 0.8;
+  constexpr double kPercent = 100.0;
   if (refused.size() < kFewest) {
     return std::nullopt;
   }
@@ -161,7 +162,10 @@ std::optional<double> refusedSentinelOf(const std::vector<Reading>& refused) {
   const auto most =
       std::max_element(counts.begin(), counts.end(),
                        [](const auto& a, const auto& b) { return a.second < b.second; });
-  return static_cast<double>(most->second) >= kNearlyAll * static_cast<double>(refused.size())
+  const bool may_be_percent =
+      most->first > 1.0 && most->first < kPercent && accepted < most->second;
+  return !may_be_percent && static_cast<double>(most->second) >=
+                                kNearlyAll * static_cast<double>(refused.size())
              ? std::optional(most->first)
              : std::nullopt;
 }
@@ -217,7 +221,7 @@ std::vector<SentinelFinding> findSentinels(const std::vector<AccessPoint>& table
   }
   addOthers(table, readings, findings);
   for (std::size_t i = 0; i < table.size(); ++i) {
-    if (const std::optional<double> value = refusedSentinelOf(refused[i])) {
+    if (const std::optional<double> value = refusedSentinelOf(refused[i], readings[i].size())) {
       add(*value, table[i].bssid, countOf(*value, refused[i]), findings);
     }
   }

@@ -240,7 +240,7 @@ inline std::vector<Fault> allFaults() {
        }),
        "hardly moved"},
       {"few readings", only([](const Recording& whole, const Reading& reading) {
-         return std::fmod(timeOf(whole, reading) + 1e-6, 20.0) < 0.1;
+         return std::fmod(timeOf(whole, reading) + 1e-6, 40.0) < 0.1;
        }),
        "too few to find walls"},
       {"a localisation lost",
@@ -259,6 +259,13 @@ inline std::vector<Fault> allFaults() {
       {"one radio, noise", withAlias(1.0), "under several BSSIDs"},
       {"heard at one place", hearAtOnePlace, "heard at one place only"},
       {"wrong positions", moveAccessPoints, "much better than the given one"},
+      {"a table in decimetres",
+       [](Recording& recording) {
+         for (AccessPoint& access_point : recording.table) {
+           access_point.position *= 10.0;
+         }
+       },
+       "are in metres and in the same frame"},
   };
   for (const double value : {-1.0, 0.0, -95.0, -100.0, -105.0, -110.0, -119.0, -127.0, 100.0}) {
     for (const double share : {0.05, 0.3}) {

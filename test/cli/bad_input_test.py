@@ -55,6 +55,23 @@ class BadReadings(CommandLine):
         text = HEADER + "\n" + "\n".join("%d,%d,1,%s,70" % (i, i, NEAR) for i in range(5))
         self.bad(self.map(readings=self.write("percent.csv", text)), "percent.csv", "(a percentage, or")
 
+    def test_percent_is_named_before_the_program_gives_up(self):
+        text = HEADER + "\n" + "\n".join("%d,%d,1,%s,%d" % (i, i, NEAR, 90 - i) for i in range(30))
+        self.bad(self.map(readings=self.write("percent.csv", text)), "look like percent")
+
+    def test_millimetres_are_named_where_no_map_is_possible(self):
+        table = [row.split(",") for row in rows()]
+        text = "\n".join([HEADER] + [",".join([row[0], str(1000 * float(row[1])),
+                                               str(1000 * float(row[2])), *row[3:]]) for row in table])
+        far = ACCESS_POINTS.replace("0.5", "500").replace("7.0", "7000").replace("1.0", "1000")
+        run = self.map(readings=self.write("mm.csv", text),
+                       access_points=self.write("mm.yaml", far))
+        self.bad(run, "mm.csv", "x and y look like millimetres", "--scale 0.001")
+
+    def test_a_scale_that_is_none(self):
+        for scale in ("0", "-1", "nan"):
+            self.bad(self.map("--scale", scale), "--scale")
+
     def test_a_drive_beyond_all_bounds(self):
         far = ["%d,%d,1,%s,-50" % (i, 400000 + i, NEAR) for i in range(3)]
         readings = self.write("far.csv", "\n".join([HEADER] + far))

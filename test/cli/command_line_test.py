@@ -183,6 +183,21 @@ class GoodInput(CommandLine):
         self.assertIn("percent", run.stderr)
         self.assertIn(STRANGER + ": 2 readings", run.stderr)
 
+    def test_other_units_of_positions_are_scaled(self):
+        self.good(self.map())
+        table = [row.split(",") for row in rows()]
+        scaled = [",".join([stamp, "%.2f" % (100 * float(x)), "%.2f" % (100 * float(y)), *rest])
+                  for stamp, x, y, *rest in table]
+        readings = self.write("cm.csv", "\n".join([HEADER] + scaled))
+        access_points = self.write("cm.yaml", """access_points:
+  - {bssid: "%s", x: 50, y: 50, name: near}
+  - {bssid: "%s", x: 700, y: 100}
+""" % (NEAR, FAR))
+        self.good(self.map("--scale", "0.01", readings=readings, access_points=access_points,
+                           output=self.folder / "again"))
+        self.assertEqual(self.bytes_of(self.output)["map.pgm"],
+                         self.bytes_of(self.folder / "again")["map.pgm"])
+
     def test_a_misspelt_setting_is_pointed_out(self):
         config = self.write("config.yaml", "k_visibility: {windw: 7}")
         run = self.good(self.map("--config", config))
