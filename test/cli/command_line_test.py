@@ -13,7 +13,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
 
 import junit  # noqa: E402
-from command_line_case import HEADER, MAP_FILES, NEAR, STRANGER, CommandLine, rows  # noqa: E402
+from command_line_case import FAR, HEADER, MAP_FILES, NEAR, STRANGER, CommandLine, rows  # noqa: E402
 
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
