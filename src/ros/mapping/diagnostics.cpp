@@ -198,6 +198,7 @@ void describeInputs(const MappingStatus& status, DiagnosticStatusWrapper& to) {
                    ": " + (useless->problem.empty() ? "its scans are empty" : useless->problem) +
                    ".");
   }
+  to.add("paused", status.is_paused);
   for (const InputStatistics::Input& input : status.inputs) {
     to.add(input.topic + ": messages", input.messages);
     to.addf(input.topic + ": rate", "%.1f Hz", input.rate_hz);
