@@ -135,8 +135,11 @@ TEST_F(AccessPointsTest, WarnsOfAWrongPositionWhileTheRobotDrives) {
 }
 
 TEST_F(AccessPointsTest, WarnsUntilTheFirstReading) {
-  EXPECT_TRUE(
-      spinUntil([&] { return warnings("No reading yet on " + name_ + "/wifi_scan") > 0; }, 30.0));
+  EXPECT_TRUE(spinUntil(
+      [&] {
+        return warnings("No reading yet: no message has come on " + name_ + "/wifi_scan") > 0;
+      },
+      30.0));
 }
 
 TEST_F(AccessPointsTest, ShowsWhatIsEstimatedAndWhatIsSuspect) {
