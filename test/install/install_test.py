@@ -21,8 +21,9 @@ import junit  # noqa: E402
 from ros_session import RosSession, wait_until  # noqa: E402
 
 PACKAGE = "structure_from_wifi"
-MESSAGES = {"AccessPoint", "AccessPoints", "ApReading", "Wall", "Walls", "WifiScan", "SaveMap",
-            "SaveMapRequest", "SaveMapResponse"}
+MESSAGES = {"AccessPoint", "AccessPoints", "ApReading", "Wall", "Walls", "WifiScan"} | {
+    service + part for service in ("SaveMap", "LoadMap", "ClearRegion")
+    for part in ("", "Request", "Response")}
 
 
 def run(*command, environment=None):
@@ -94,9 +95,11 @@ class Install(Space, unittest.TestCase):
         self.assertEqual(headers, {path.stem for path in (ROOT / "include" / PACKAGE).iterdir()})
         libraries = {path.name.split(".")[0] for path in (INSTALL / "lib").glob("lib*")}
         self.assertEqual(libraries, {"libstructure_from_wifi_" + name for name in
-                                     ("mapping", "mapping_nodelet", "simulator_nodelet")})
+                                     ("mapping", "mapping_nodelet", "simulator_nodelet",
+                                      "wireless_nodelet", "rviz_panel")})
         programs = {path.name for path in (INSTALL / "lib" / PACKAGE).iterdir()}
-        self.assertEqual(programs, {"sfw", "mapping_node", "simulator_node"})
+        self.assertEqual(programs, {"sfw", "mapping_node", "simulator_node",
+                                    "wireless_scan_node"})
         for folder in ("config", "launch", "rviz"):
             shipped = {path.relative_to(ROOT) for path in (ROOT / folder).rglob("*")}
             share = INSTALL / "share" / PACKAGE
