@@ -204,14 +204,11 @@ void runMap(Options& options) {
               "CSV with the columns stamp, x, y, bssid, rssi_dbm; exactly one of --readings and "
               "--bag is needed");
   options.add("bag", "FILE", map.bag, "bag with /tf and scans");
-  forEachInput([&](const auto& input) {
-    using Message = typename std::decay_t<decltype(input)>::Message;
-    const std::string type = ros::message_traits::DataType<Message>::value();
+  for (const Input& input : kInputs) {
     if (input.bag_option != nullptr) {
-      options.add(input.bag_option, "TOPIC", map.topics[input.topic],
-                  type + " messages in the bag");
+      options.add(input.bag_option, "TOPIC", map.topics[input.topic], input.meaning);
     }
-  });
+  }
   options.add("map-frame", "FRAME", map.map_frame, "for a bag; default: the setting ros/map_frame");
   options.add("antenna-frame", "FRAME", map.antenna_frame,
               "for a bag; default: the setting ros/antenna_frame");

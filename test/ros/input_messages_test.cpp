@@ -1,6 +1,7 @@
 #include "ros/conversion/input_messages.h"
 
 #include <gtest/gtest.h>
+#include <std_msgs/String.h>
 #include <tf2/buffer_core.h>
 
 #include <cmath>
@@ -24,13 +25,48 @@ structure_from_wifi::ApReading apReading(const std::string& bssid, float rssi_db
 
 TEST(InputMessages, HaveOneTopicEach) {
   std::set<std::string> topics;
-  std::size_t inputs = 0;
-  forEachInput([&](const auto& input) {
+  for (const Input& input : kInputs) {
     topics.insert(input.topic);
-    ++inputs;
-  });
-  EXPECT_GT(inputs, 0U);
-  EXPECT_EQ(topics.size(), inputs);
+  }
+  EXPECT_EQ(topics.size(), kInputs.size());
+}
+
+/// A message as a connection or a bag holds it.
+template <class Message>
+AnyMessage anyMessage(const Message& message) {
+  namespace traits = ros::message_traits;
+  AnyMessage any{traits::datatype<Message>(), traits::md5sum<Message>(),
+                 traits::definition<Message>(),
+                 std::vector<std::uint8_t>(ros::serialization::serializationLength(message))};
+  ros::serialization::OStream stream(any.bytes.data(),
+                                     static_cast<std::uint32_t>(any.bytes.size()));
+  ros::serialization::serialize(stream, message);
+  return any;
+}
+
+TEST(InputMessages, NameTheTypeThatATopicCannotHave) {
+  for (const Input& input : kInputs) {
+    const Conversion conversion = input.convert(anyMessage(std_msgs::String()), kContext);
+    EXPECT_TRUE(conversion.observations.empty());
+    EXPECT_EQ(conversion.rejected, 1U) << input.topic;
+    EXPECT_NE(conversion.problem.find("type std_msgs/String"), std::string::npos) << input.topic;
+  }
+}
+
+TEST(InputMessages, RejectAnotherVersionOfATypeAndBytesCutShort) {
+  AnyMessage message = anyMessage(structure_from_wifi::WifiScan());
+  message.bytes.pop_back();
+  EXPECT_EQ(convertReadings(message, kContext).rejected, 1U);
+  message.md5[0] = message.md5[0] == '0' ? '1' : '0';
+  const Conversion conversion = convertReadings(message, kContext);
+  EXPECT_NE(conversion.problem.find("another version"), std::string::npos) << conversion.problem;
+}
+
+TEST(InputMessages, TakeALinkOnTheTopicOfScans) {
+  wireless_msgs::Connection connection;
+  connection.bssid = "02:00:00:00:00:01";
+  connection.signal_level = -55;
+  EXPECT_EQ(convertReadings(anyMessage(connection), kContext).observations.size(), 1U);
 }
 
 TEST(InputMessages, TakeEachReadingOfAScanAtItsOwnTime) {

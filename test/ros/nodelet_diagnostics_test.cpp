@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <ros/callback_queue.h>
 #include <rosgraph_msgs/Log.h>
+#include <std_msgs/String.h>
 
 #include <algorithm>
 #include <string>
@@ -107,6 +108,19 @@ TEST_F(NodeletDiagnosticsTest, LogsOfTheFirstMinuteSayThatAllIsWell) {
   EXPECT_TRUE(logs(rosgraph_msgs::Log::INFO, "The map covers"));
   EXPECT_TRUE(logs(rosgraph_msgs::Log::INFO, "Radios of neighbours are normal"));
   EXPECT_EQ(logged(rosgraph_msgs::Log::WARN, "bssid is not in the table"), 0);
+}
+
+TEST_F(NodeletDiagnosticsTest, NameTheTypeOfATopicThatBringsNoScans) {
+  scans_.shutdown();
+  scans_ = ros::NodeHandle().advertise<std_msgs::String>(name_ + "/wifi_scan", 10);
+  load();
+  for (int i = 0; i < 100; ++i) {
+    scans_.publish(std_msgs::String());
+  }
+  EXPECT_TRUE(
+      logs(rosgraph_msgs::Log::WARN, "wifi_scan: its messages are of type std_msgs/String"));
+  EXPECT_EQ(logged(rosgraph_msgs::Log::WARN, "std_msgs/String"), 1);
+  EXPECT_TRUE(hears("map", Level::WARN, "its messages are of type std_msgs/String"));
 }
 
 TEST_F(NodeletDiagnosticsTest, LogsTellEachCauseOnce) {

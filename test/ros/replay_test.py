@@ -167,7 +167,8 @@ class BrokenBags(unittest.TestCase):
     def test_another_type_on_the_topic(self):
         messages = [(at, "/wifi_scan", message) for at, topic, message
                     in recording_bag.plain_messages(self.stops) if topic == "/tf"]
-        self.ends(self.sfw(messages), 1, "drive.bag", "/wifi_scan")
+        self.ends(self.sfw(messages), 1, "drive.bag", "on /wifi_scan, its messages are of type",
+                  "tf2_msgs/TFMessage")
 
     def test_contacts_without_coordinates_are_left_out(self):
         from sensor_msgs.msg import PointCloud2

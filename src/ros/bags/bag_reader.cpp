@@ -5,8 +5,7 @@
 #include <tf2/buffer_core.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include <optional>
-#include <type_traits>
+#include <algorithm>
 #include <vector>
 
 #include "ros/conversion/input_messages.h"
@@ -36,22 +35,13 @@ void loadTransforms(const rosbag::Bag& bag, tf2::BufferCore& transforms) {
   load("/tf_static", true);
 }
 
-/// Converts a message if it has the topic and the type of an input.
-Conversion convert(const rosbag::MessageInstance& message, const BagTopics& topics,
-                   const InputContext& context) {
-  const std::string topic = plain(message.getTopic());
-  Conversion conversion;
-  forEachInput([&](const auto& input) {
-    using Message = typename std::decay_t<decltype(input)>::Message;
+/// The input that has a topic in the bag, or nullptr.
+const Input* inputOf(const std::string& topic, const BagTopics& topics) {
+  const auto found = std::find_if(kInputs.begin(), kInputs.end(), [&](const Input& input) {
     const auto recorded = topics.find(input.topic);
-    if (recorded == topics.end() || plain(recorded->second) != topic) {
-      return;
-    }
-    if (const auto instance = message.instantiate<Message>()) {
-      conversion = input.convert(*instance, context);
-    }
+    return recorded != topics.end() && plain(recorded->second) == plain(topic);
   });
-  return conversion;
+  return found == kInputs.end() ? nullptr : &*found;
 }
 
 BagReading read(const std::string& file, const BagTopics& topics, const MappingSettings& settings,
@@ -65,8 +55,15 @@ BagReading read(const std::string& file, const BagTopics& topics, const MappingS
   PathCorrector corrector(jumpTolerance(settings.ros));
   InputContext context{{}, settings.ros.antenna_frame, settings.config.path.footprint_radius_m};
   for (const rosbag::MessageInstance& message : view) {
+    const Input* input = inputOf(message.getTopic(), topics);
+    if (input == nullptr) {
+      continue;
+    }
     context.received = message.getTime();
-    const Conversion conversion = convert(message, topics, context);
+    const Conversion conversion = input->convert(toAnyMessage(message), context);
+    if (!conversion.problem.empty() && input->is_radio) {
+      reading.problems[message.getTopic()] = conversion.problem;
+    }
     if (conversion.rejected > 0) {
       reading.rejected[conversion.problem] += conversion.rejected;
     }
@@ -86,27 +83,33 @@ BagReading read(const std::string& file, const BagTopics& topics, const MappingS
   return reading;
 }
 
-[[noreturn]] void throwNoReading(const std::string& file, const BagTopics& topics) {
+[[noreturn]] void throwNoReading(const std::string& file, const BagTopics& topics,
+                                 const BagReading& reading) {
   std::string names;
   std::string options;
-  forEachInput([&](const auto& input) {
+  for (const Input& input : kInputs) {
     if (input.is_radio) {
       names += (names.empty() ? "" : " or ") + topics.at(input.topic);
       options += (options.empty() ? "--" : " and --") + std::string(input.bag_option);
     }
-  });
-  throw InputError(file + ": no reading on " + names + "; name the topics with " + options);
+  }
+  std::string problems;
+  for (const auto& [topic, problem] : reading.problems) {
+    problems += "; on " + topic + ", " + problem;
+  }
+  throw InputError(file + ": no reading on " + names + problems + "; name the topics with " +
+                   options);
 }
 
 }  // namespace
 
 BagTopics defaultBagTopics() {
   BagTopics topics;
-  forEachInput([&](const auto& input) {
+  for (const Input& input : kInputs) {
     if (input.bag_option != nullptr) {
       topics[input.topic] = "/" + std::string(input.topic);
     }
-  });
+  }
   return topics;
 }
 
@@ -119,7 +122,7 @@ BagReading readBag(const std::string& file, const BagTopics& topics,
     throw InputError(file + ": cannot be read as a bag: " + error.what());
   }
   if (reading.observations == 0) {
-    throwNoReading(file, topics);
+    throwNoReading(file, topics, reading);
   }
   return reading;
 }

@@ -9,7 +9,7 @@
 
 namespace sfw {
 
-/// The topic name of each input in a bag (forEachInput).
+/// The topic name of each input in a bag (kInputs).
 using BagTopics = std::map<std::string, std::string>;
 
 /// The inputs of bags, each under its name in the nodelet.
@@ -21,6 +21,7 @@ struct BagReading {
   std::size_t unlocated = 0;                    ///< of these, those without a transform
   std::string tf_error;                         ///< of the last one without a transform
   std::map<std::string, std::size_t> rejected;  ///< readings and clouds left out, by problem
+  std::map<std::string, std::string> problems;  ///< the last one of each topic of a radio
 };
 
 /// Inserts the readings and contacts of a bag into a mapper. The bag's tf is read first, so the

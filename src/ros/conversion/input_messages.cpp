@@ -29,6 +29,43 @@ std::vector<Eigen::Vector3d> nearPoints(const sensor_msgs::PointCloud2& cloud) {
   return points;
 }
 
+/// The type of a message for people: a hostile name is cut short and holds no control characters.
+std::string printableType(const AnyMessage& message) {
+  constexpr std::size_t kLongest = 100;
+  std::string type = message.type.substr(0, kLongest);
+  std::replace_if(
+      type.begin(), type.end(), [](unsigned char c) { return c <= ' ' || c > '~'; }, '?');
+  return type.empty() ? "unknown" : type;
+}
+
+/// Rejects a message of a type that its input does not take.
+Conversion rejectType(const AnyMessage& message, const std::string& taken) {
+  return {{}, 1, "its messages are of type " + printableType(message) + ", and not " + taken};
+}
+
+template <class Message>
+bool hasTypeOf(const AnyMessage& message) {
+  return message.type == ros::message_traits::datatype<Message>();
+}
+
+/// Converts a message of one type.
+/// @param taken  types that the input takes, in words
+template <class Message>
+Conversion convertAs(Conversion (*convert)(const Message&, const InputContext&),
+                     const AnyMessage& any, const InputContext& context, const char* taken) {
+  try {
+    const std::optional<Message> message = any.as<Message>();
+    if (!message) {
+      return hasTypeOf<Message>(any)
+                 ? Conversion{{}, 1, "its messages are of another version of " + printableType(any)}
+                 : rejectType(any, taken);
+    }
+    return convert(*message, context);
+  } catch (const std::exception& error) {
+    return {{}, 1, "a message cannot be read: " + std::string(error.what())};
+  }
+}
+
 }  // namespace
 
 Conversion convertScan(const structure_from_wifi::WifiScan& scan, const InputContext& context) {
@@ -80,6 +117,23 @@ Conversion convertContactPoints(const sensor_msgs::PointCloud2& cloud,
   } catch (const std::runtime_error& error) {  // the iterators throw without a field x, y or z
     return {{}, 1, "the cloud of contact points cannot be read: " + std::string(error.what())};
   }
+}
+
+Conversion convertReadings(const AnyMessage& message, const InputContext& context) {
+  constexpr char kTaken[] = "structure_from_wifi/WifiScan or wireless_msgs/Connection";
+  if (hasTypeOf<wireless_msgs::Connection>(message)) {
+    return convertAs<wireless_msgs::Connection>(convertConnection, message, context, kTaken);
+  }
+  return convertAs<structure_from_wifi::WifiScan>(convertScan, message, context, kTaken);
+}
+
+Conversion convertAnyContact(const AnyMessage& message, const InputContext& context) {
+  return convertAs<std_msgs::Bool>(convertContact, message, context, "std_msgs/Bool");
+}
+
+Conversion convertAnyContactPoints(const AnyMessage& message, const InputContext& context) {
+  return convertAs<sensor_msgs::PointCloud2>(convertContactPoints, message, context,
+                                             "sensor_msgs/PointCloud2");
 }
 
 }  // namespace sfw

@@ -6,40 +6,13 @@
 #include <structure_from_wifi/WifiScan.h>
 #include <wireless_msgs/Connection.h>
 
-#include <Eigen/Core>
-#include <cstddef>
+#include <array>
 #include <string>
-#include <variant>
-#include <vector>
 
-#include "structure_from_wifi/types.h"
+#include "ros/conversion/any_message.h"
+#include "ros/conversion/observation.h"
 
 namespace sfw {
-
-/// A signal strength at an unknown position.
-struct UnlocatedReading {
-  Bssid bssid;
-  double rssi_dbm = 0.0;
-};
-
-/// Obstacles that the robot touched, in the frame of its sensor [m].
-struct UnlocatedContacts {
-  std::string frame;
-  std::vector<Eigen::Vector3d> points;
-};
-
-/// A reading or contacts at a time, before tf gives their position.
-struct Observation {
-  ros::Time stamp;
-  std::variant<UnlocatedReading, UnlocatedContacts> content;
-};
-
-/// The usable observations of a message, with the count and the problem of the others.
-struct Conversion {
-  std::vector<Observation> observations = {};
-  std::size_t rejected = 0;  ///< readings or clouds left out
-  std::string problem = {};  ///< of the message, in words; empty if there is none
-};
 
 /// The inputs of a conversion besides the message.
 struct InputContext {
@@ -63,27 +36,31 @@ Conversion convertContact(const std_msgs::Bool& contact, const InputContext& con
 /// points for bumpers that are not pressed.
 Conversion convertContactPoints(const sensor_msgs::PointCloud2& cloud, const InputContext& context);
 
-/// A type of input: its topic, message and conversion.
-template <class MessageType>
-struct Input {
-  using Message = MessageType;
+/// Convert a message of any type. One of a type that they cannot read is rejected, and the problem
+/// names its type. They never throw.
+/// @{
+Conversion convertReadings(const AnyMessage& message, const InputContext& context);
+Conversion convertAnyContact(const AnyMessage& message, const InputContext& context);
+Conversion convertAnyContactPoints(const AnyMessage& message, const InputContext& context);
+/// @}
 
+/// An input: its topic, and the conversion of its messages.
+struct Input {
   const char* topic;       ///< of the nodelet; a bag has it under this name by default
   bool is_radio;           ///< it brings readings
   const char* bag_option;  ///< of `sfw map` for the topic in a bag; nullptr: not read from bags
-  Conversion (*convert)(const Message&, const InputContext&);
+  const char* meaning;     ///< of the topic, for `sfw map --help`
+  Conversion (*convert)(const AnyMessage&, const InputContext&);
 };
 
-/// Calls `visit(input)` for each type of input, live and in bags. A new type needs a row here and
-/// its conversion above.
-template <class Visitor>
-void forEachInput(Visitor&& visit) {
-  visit(Input<structure_from_wifi::WifiScan>{"wifi_scan", true, "scan-topic", convertScan});
-  visit(
-      Input<wireless_msgs::Connection>{"connection", true, "connection-topic", convertConnection});
-  visit(Input<std_msgs::Bool>{"contact", false, nullptr, convertContact});
-  visit(Input<sensor_msgs::PointCloud2>{"contact_points", false, "contact-topic",
-                                        convertContactPoints});
-}
+/// All inputs, live and in bags.
+inline constexpr std::array<Input, 4> kInputs{{
+    {"wifi_scan", true, "scan-topic", "topic of scans in the bag", convertReadings},
+    {"connection", true, "connection-topic", "topic of wireless_msgs/Connection in the bag",
+     convertReadings},
+    {"contact", false, nullptr, "", convertAnyContact},
+    {"contact_points", false, "contact-topic", "topic of sensor_msgs/PointCloud2 in the bag",
+     convertAnyContactPoints},
+}};
 
 }  // namespace sfw

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "ros/conversion/input_messages.h"
+#include "ros/conversion/observation.h"
 
 namespace sfw {
 

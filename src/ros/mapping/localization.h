@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "ros/conversion/input_messages.h"
+#include "ros/conversion/observation.h"
 #include "ros/conversion/ros_settings.h"
 #include "structure_from_wifi/path_correction.h"
 #include "structure_from_wifi/types.h"

@@ -1,5 +1,7 @@
 #include "ros/mapping/mapping_nodelet.h"
 
+#include <topic_tools/shape_shifter.h>
+
 #include <pluginlib/class_list_macros.hpp>
 #include <sstream>
 
@@ -84,24 +86,23 @@ void MappingNodelet::advertise() {
 
 void MappingNodelet::subscribe() {
   transform_listener_ = std::make_unique<tf2_ros::TransformListener>(*transforms_, getNodeHandle());
-  forEachInput([this](const auto& input) { subscribeTo(input); });
+  for (const Input& input : kInputs) {
+    subscribeTo(input);
+  }
 }
 
-template <class Message>
-void MappingNodelet::subscribeTo(const Input<Message>& input) {
+void MappingNodelet::subscribeTo(const Input& input) {
   constexpr std::uint32_t kQueue = 1000;
   const std::size_t index =
       statistics_.add(getNodeHandle().resolveName(input.topic), input.is_radio);
-  const boost::function<void(const boost::shared_ptr<const Message>&)> callback =
-      [this, input, index](const boost::shared_ptr<const Message>& message) {
-        receive(input, index, *message);
+  const boost::function<void(const topic_tools::ShapeShifter::ConstPtr&)> callback =
+      [this, &input, index](const topic_tools::ShapeShifter::ConstPtr& message) {
+        receive(input, index, toAnyMessage(*message));
       };
-  subscribers_.push_back(getNodeHandle().subscribe<Message>(input.topic, kQueue, callback));
+  subscribers_.push_back(getNodeHandle().subscribe(input.topic, kQueue, callback));
 }
 
-template <class Message>
-void MappingNodelet::receive(const Input<Message>& input, std::size_t index,
-                             const Message& message) {
+void MappingNodelet::receive(const Input& input, std::size_t index, const AnyMessage& message) {
   Conversion conversion = input.convert(
       message, {ros::Time::now(), ros_settings_.antenna_frame, config_.path.footprint_radius_m});
   statistics_.count(index, conversion, ros::SteadyTime::now().toSec());

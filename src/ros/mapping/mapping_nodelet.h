@@ -67,12 +67,10 @@ class MappingNodelet : public nodelet::Nodelet {
   void advertiseServices();
   void subscribe();
 
-  template <class Message>
-  void subscribeTo(const Input<Message>& input);
+  void subscribeTo(const Input& input);
 
   // In the manager's threads.
-  template <class Message>
-  void receive(const Input<Message>& input, std::size_t index, const Message& message);
+  void receive(const Input& input, std::size_t index, const AnyMessage& message);
 
   /// Answers the service calls in a queue, with steps in between, until the nodelet ends.
   void run(ros::CallbackQueue& calls, void (MappingNodelet::*step)());
