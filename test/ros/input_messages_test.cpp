@@ -1,12 +1,17 @@
 #include "ros/conversion/input_messages.h"
 
 #include <gtest/gtest.h>
+#include <sensor_msgs/point_cloud2_iterator.h>
 #include <std_msgs/String.h>
 #include <tf2/buffer_core.h>
 
+#include <array>
 #include <cmath>
+#include <cstring>
+#include <functional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "ros/mapping/observation_queue.h"
 
@@ -135,6 +140,49 @@ TEST(InputMessages, RejectACloudWithoutCoordinates) {
   EXPECT_TRUE(conversion.observations.empty());
   EXPECT_EQ(conversion.rejected, 1U);
   EXPECT_NE(conversion.problem, "");
+}
+
+/// Two points as a bumper's node sends them; the second is beyond the reach of bumpers.
+sensor_msgs::PointCloud2 bumperCloud() {
+  sensor_msgs::PointCloud2 cloud;
+  sensor_msgs::PointCloud2Modifier modifier(cloud);
+  modifier.setPointCloud2FieldsByString(1, "xyz");
+  modifier.resize(2);
+  const std::array<float, 6> coordinates{0.5F, -0.25F, 0.125F, 100.0F, 0.0F, 0.0F};
+  for (std::size_t point = 0; point < 2; ++point) {
+    std::memcpy(cloud.data.data() + point * cloud.point_step, &coordinates[3 * point],
+                3 * sizeof(float));
+  }
+  return cloud;
+}
+
+TEST(InputMessages, TakeTheNearPointsOfACloud) {
+  const Conversion conversion = convertContactPoints(bumperCloud(), kContext);
+  ASSERT_EQ(conversion.observations.size(), 1U);
+  EXPECT_EQ(conversion.rejected, 0U);
+  const auto& contacts = std::get<UnlocatedContacts>(conversion.observations[0].content);
+  ASSERT_EQ(contacts.points.size(), 1U);
+  EXPECT_EQ(contacts.points[0], Eigen::Vector3d(0.5, -0.25, 0.125));
+}
+
+TEST(InputMessages, RejectACloudWhoseSizesContradictItsData) {
+  const std::vector<std::function<void(sensor_msgs::PointCloud2&)>> faults{
+      [](auto& cloud) { cloud.data.pop_back(); },
+      [](auto& cloud) { cloud.data.clear(); },
+      [](auto& cloud) { cloud.width = cloud.height = 4294967295U; },
+      [](auto& cloud) { cloud.point_step = 0; },
+      [](auto& cloud) { cloud.point_step = 7; },
+      [](auto& cloud) { cloud.fields[1].offset = 4294967295U; },
+      [](auto& cloud) { cloud.fields[2].datatype = sensor_msgs::PointField::FLOAT64; },
+      [](auto& cloud) { cloud.is_bigendian = 1; }};
+  for (std::size_t i = 0; i < faults.size(); ++i) {
+    sensor_msgs::PointCloud2 cloud = bumperCloud();
+    faults[i](cloud);
+    const Conversion conversion = convertContactPoints(cloud, kContext);
+    EXPECT_TRUE(conversion.observations.empty()) << "fault " << i;
+    EXPECT_EQ(conversion.rejected, 1U) << "fault " << i;
+    EXPECT_NE(conversion.problem, "") << "fault " << i;
+  }
 }
 
 geometry_msgs::TransformStamped mapFromAntenna(double seconds, double x) {

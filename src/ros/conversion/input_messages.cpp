@@ -1,32 +1,17 @@
 #include "ros/conversion/input_messages.h"
 
-#include <sensor_msgs/point_cloud2_iterator.h>
-
 #include <algorithm>
 #include <optional>
 #include <stdexcept>
 #include <utility>
+
+#include "ros/conversion/cloud_points.h"
 
 namespace sfw {
 namespace {
 
 ros::Time stampOr(const ros::Time& stamp, const ros::Time& received) {
   return stamp.isZero() ? received : stamp;
-}
-
-std::vector<Eigen::Vector3d> nearPoints(const sensor_msgs::PointCloud2& cloud) {
-  constexpr float kFarthest = 2.0F;  // [m]
-  std::vector<Eigen::Vector3d> points;
-  sensor_msgs::PointCloud2ConstIterator<float> x(cloud, "x");
-  sensor_msgs::PointCloud2ConstIterator<float> y(cloud, "y");
-  sensor_msgs::PointCloud2ConstIterator<float> z(cloud, "z");
-  for (; x != x.end(); ++x, ++y, ++z) {
-    const Eigen::Vector3f point(*x, *y, *z);
-    if (point.allFinite() && point.norm() <= kFarthest) {
-      points.emplace_back(point.cast<double>());
-    }
-  }
-  return points;
 }
 
 /// The type of a message for people: a hostile name is cut short and holds no control characters.
@@ -111,10 +96,11 @@ Conversion convertContact(const std_msgs::Bool& contact, const InputContext& con
 
 Conversion convertContactPoints(const sensor_msgs::PointCloud2& cloud,
                                 const InputContext& context) {
+  constexpr double kFarthestM = 2.0;
   try {
-    const UnlocatedContacts contacts{cloud.header.frame_id, nearPoints(cloud)};
+    const UnlocatedContacts contacts{cloud.header.frame_id, nearPoints(cloud, kFarthestM)};
     return {{{stampOr(cloud.header.stamp, context.received), contacts}}};
-  } catch (const std::runtime_error& error) {  // the iterators throw without a field x, y or z
+  } catch (const std::runtime_error& error) {
     return {{}, 1, "the cloud of contact points cannot be read: " + std::string(error.what())};
   }
 }
