@@ -1,0 +1,27 @@
+# The fuzz targets. Each is a test that runs a bounded number of mutations; with SFW_FUZZ and clang it
+# is also a program of libFuzzer, which scripts/fuzz builds and runs.
+
+function(sfw_add_fuzz_target name library)
+  catkin_add_gtest(${name}_fuzz_test fuzz/${name}_fuzz.cpp fuzz/mutations_test.cpp)
+  add_dependencies(core_tests ${name}_fuzz_test)
+  target_link_libraries(${name}_fuzz_test ${sfw_gtest_main})
+  set(programs ${name}_fuzz_test)
+  if(SFW_FUZZ)
+    add_executable(${name}_fuzz fuzz/${name}_fuzz.cpp fuzz/libfuzzer_main.cpp)
+    target_link_options(${name}_fuzz PRIVATE -fsanitize=fuzzer)
+    list(APPEND programs ${name}_fuzz)
+  endif()
+  foreach(program ${programs})
+    target_include_directories(${program} PRIVATE ${PROJECT_SOURCE_DIR}/test)
+    target_link_libraries(${program} sfw_options ${library} yaml-cpp)
+  endforeach()
+endfunction()
+
+sfw_add_fuzz_target(readings sfw_mapping)
+sfw_add_fuzz_target(access_points sfw_mapping)
+sfw_add_fuzz_target(settings sfw_ros)
+sfw_add_fuzz_target(map_server sfw_simulation)
+sfw_add_fuzz_target(house_expo sfw_simulation)
+sfw_add_fuzz_target(netlink sfw_wireless)
+sfw_add_fuzz_target(session sfw_ros)
+sfw_add_fuzz_target(messages sfw_ros)
