@@ -74,7 +74,7 @@ TEST_F(Mapping, ADriveMakesAMap) {
   ASSERT_TRUE(spinUntil([] { return count(*world().map, 0) > 100; }, param("map_within", 20.0)));
   waitUntilQuiet();
   EXPECT_GT(count(*world().map, -1), 0U);
-  EXPECT_GE(world().layer->maps(), 2U);
+  EXPECT_GE(world().consumers->layer().maps(), 2U);
 }
 
 TEST_F(Mapping, MetadataAndProbabilityBelongToTheMap) {
@@ -119,7 +119,7 @@ TEST_F(Mapping, DynamicMapIsTheTopicsMap) {
   EXPECT_EQ(call.response.map.header.frame_id, world().map->header.frame_id);
   EXPECT_EQ(call.response.map.info, world().map->info);
   EXPECT_EQ(call.response.map.data, world().map->data);
-  EXPECT_TRUE(world().layer->accept(call.response.map));
+  EXPECT_TRUE(world().consumers->layer().accept(call.response.map));
 }
 
 void expectTheMap(const octomap_msgs::Octomap& message, bool binary) {
@@ -252,7 +252,7 @@ TEST_F(Mapping, AResetForgetsEverythingButTheGeometry) {
   const auto kept = contentOf(saveDirectory() / "first");
   ASSERT_FALSE(kept.empty()) << "SavesTheMap comes before";
   const nav_msgs::MapMetaData info = world().map->info;
-  world().layer->holdGeometry();
+  world().consumers->layer().holdGeometry();
   world().map.reset();
   world().binary.reset();
   std_srvs::Trigger call;
