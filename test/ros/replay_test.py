@@ -6,6 +6,7 @@ The same drive as readings.csv, as a bag read by `sfw map`, and as a bag played 
 several rates must give the same map. replay.launch also passes mapping_launch_test.
 """
 
+import itertools
 import os
 import pathlib
 import shutil
@@ -43,19 +44,24 @@ class Replay(unittest.TestCase):
         self.assertNotIn("left out", text)
         return self.folder / name
 
-    def launch(self, rate, delay, table=TABLE):
+    def launch(self, rate, delay, table=TABLE, workers=None):
+        """Starts replay.launch, with a node of its own or in a manager with so many threads."""
         self.session.environment["PWD"] = str(self.folder)  # as if called in there
         self.session.set_parameter("/mapping/method", "of an earlier launch")
+        manager = "none" if workers is None else "manager"
+        if workers is not None:
+            self.session.start("manager", "rosrun", "nodelet", "nodelet", "manager",
+                               "__name:=manager", "_num_worker_threads:=%d" % workers)
         return self.session.start(
             "replay", "roslaunch", ROOT / "launch" / "replay.launch", "bag:=drive.bag",
             "access_points:=%s" % table, "rviz:=false",
-            "rate:=%g" % rate, "delay:=%g" % delay,
+            "rate:=%g" % rate, "delay:=%g" % delay, "manager:=%s" % manager,
             "save_directory:=%s" % (self.folder / "saved"))
 
-    def replayed(self, rate, readings, table=TABLE):
+    def replayed(self, rate, readings, table=TABLE, workers=None):
         """The folder that ~save_map fills once it has all readings."""
         shutil.rmtree(self.folder / "saved", ignore_errors=True)
-        launch = self.launch(rate, 1.5, table)
+        launch = self.launch(rate, 1.5, table, workers)
         saved = self.folder / "saved" / "all"
 
         def is_complete():
@@ -74,20 +80,21 @@ class Replay(unittest.TestCase):
             print(self.session.text_of(launch))
             raise
         self.session.stop(launch)
-        name = self.folder / ("rate_%g" % rate)
+        name = self.folder / ("rate_%g_workers_%s" % (rate, workers))
         saved.rename(name)
         return name
 
-    def check(self, readings, rates, table=TABLE, with_csv=True):
-        """Makes all maps of the drive written before; says which files differ."""
+    def check(self, readings, rates, table=TABLE, with_csv=True, workers=(None,)):
+        """Makes all maps of the drive written before, at each rate and number of worker threads;
+        says which files differ."""
         with RosSession(with_master=False) as self.session:
             maps = [self.mapped("from_bag", "--bag", self.folder / "drive.bag", table=table)]
             if with_csv:
                 maps.insert(0, self.mapped("from_csv", "--readings", self.folder / "readings.csv",
                                            table=table))
-        for rate in rates:
+        for rate, count in itertools.product(rates, workers):
             with RosSession() as self.session:
-                maps.append(self.replayed(rate, readings, table))
+                maps.append(self.replayed(rate, readings, table, count))
         differing = ["%s of %s" % (file, made.name) for made in maps[1:] for file in COMPARED
                      if (made / file).read_bytes() != (maps[0] / file).read_bytes()]
         self.assertEqual(differing, [], "these are not those of %s" % maps[0].name)
@@ -98,6 +105,11 @@ class Replay(unittest.TestCase):
     def test_a_drive_gives_one_map_by_all_ways(self):
         stops = recording_bag.synthetic_stops()
         self.check(self.write(stops, recording_bag.plain_messages(stops)), (1, 10))
+
+    def test_neither_rate_nor_threads_change_the_map(self):
+        stops = recording_bag.synthetic_stops()
+        self.check(self.write(stops, recording_bag.plain_messages(stops)), (1, 10), with_csv=False,
+                   workers=(1, 8))
 
     def test_an_awkward_bag_gives_the_same_map(self):
         stops = recording_bag.synthetic_stops(start_ns=1700000000 * 10**9 + 123456789)
