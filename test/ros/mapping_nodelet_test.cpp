@@ -264,7 +264,7 @@ TEST_F(MappingNodeletTest, BadParametersLeaveItInertAndItsSiblingAtWork) {
            {"map/resolution", 0},
            {"map/resolution", "fine"},
            {"access_points", 7},
-           {"ros/antenna_frame", "/base_link"},
+           {"ros/antenna_frame", ""},
            {"access_points", tableOf({{kNear, 0.0, 0.0}, {kFar, 9e5, 9e5}})}}) {
     ros::param::set(bad + "/m/access_points", tableOf({{kNear, 0.0, 0.0}}));
     ros::param::set(bad + "/m/" + key, value);

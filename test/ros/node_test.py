@@ -54,7 +54,7 @@ class Node(unittest.TestCase):
             {"access_points": TABLE, "map": {"resolution": 0.0, "margin": float("nan")},
              "k_visibility": {"window": "wide", "filter": "mode"},
              "belief": {"free_threshold": 0.9, "occupied_threshold": 0.2},
-             "ros": {"map_frame": "/map"}},
+             "ros": {"map_frame": ""}},
             *(NAME + "/" + name for name in ("map/resolution", "map/margin", "k_visibility/window",
                                              "k_visibility/filter", "belief/free_threshold",
                                              "ros/map_frame")))

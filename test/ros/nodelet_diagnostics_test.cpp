@@ -1,64 +1,14 @@
 // What a loaded mapping nodelet tells its user: /diagnostics and the log.
 
-#include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
-#include <ros/callback_queue.h>
-#include <rosgraph_msgs/Log.h>
 #include <std_msgs/String.h>
 
-#include <algorithm>
-#include <string>
-#include <vector>
-
-#include "mapping_nodelet_world.h"
+#include "nodelet_diagnostics_world.h"
 
 namespace sfw {
 namespace {
 
-class NodeletDiagnosticsTest : public NodeletWorld {
- protected:
-  void SetUp() override {
-    NodeletWorld::SetUp();
-    ros::NodeHandle node;
-    diagnostics_ = node.subscribe<diagnostic_msgs::DiagnosticArray>(
-        "/diagnostics", 100, [this](const diagnostic_msgs::DiagnosticArrayConstPtr& array) {
-          for (const diagnostic_msgs::DiagnosticStatus& status : array->status) {
-            statuses_.push_back(status);
-          }
-        });
-    log_ = node.subscribe<rosgraph_msgs::Log>(
-        "/rosout", 1000, [this](const rosgraph_msgs::LogConstPtr& log) { logs_.push_back(*log); });
-  }
-
-  /// Waits for a status of this world's nodelet with some words.
-  bool hears(const std::string& task, int level, const std::string& words,
-             const std::string& nodelet = "mapping") {
-    const std::string name = name_.substr(1) + "/" + nodelet + ": " + task;
-    return spinUntil(
-        [&] {
-          return std::any_of(statuses_.begin(), statuses_.end(), [&](const auto& status) {
-            return status.name == name && static_cast<int>(status.level) == level &&
-                   status.message.find(words) != std::string::npos;
-          });
-        },
-        20.0 * kSlowdown);
-  }
-
-  std::ptrdiff_t logged(int level, const std::string& words) const {
-    return std::count_if(logs_.begin(), logs_.end(), [&](const rosgraph_msgs::Log& log) {
-      return static_cast<int>(log.level) == level && log.msg.find(words) != std::string::npos;
-    });
-  }
-
-  bool logs(int level, const std::string& words) {
-    return spinUntil([&] { return logged(level, words) > 0; }, 20.0 * kSlowdown);
-  }
-
-  std::vector<diagnostic_msgs::DiagnosticStatus> statuses_;
-  std::vector<rosgraph_msgs::Log> logs_;
-  ros::Subscriber diagnostics_, log_;
-};
-
+using NodeletDiagnosticsTest = NodeletDiagnosticsWorld;
 using Level = diagnostic_msgs::DiagnosticStatus;
 
 TEST_F(NodeletDiagnosticsTest, TellWhyThereIsNoMapAndThatThereIsOne) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ros/conversion/cloud_points.h"
+#include "ros/conversion/ros_settings.h"
 
 namespace sfw {
 namespace {
@@ -98,8 +99,13 @@ Conversion convertContactPoints(const sensor_msgs::PointCloud2& cloud,
                                 const InputContext& context) {
   constexpr double kFarthestM = 2.0;
   try {
-    const UnlocatedContacts contacts{cloud.header.frame_id, nearPoints(cloud, kFarthestM)};
-    return {{{stampOr(cloud.header.stamp, context.received), contacts}}};
+    const UnlocatedContacts contacts{withoutSlash(cloud.header.frame_id), nearPoints(cloud, kFarthestM)};
+    Conversion conversion{{{stampOr(cloud.header.stamp, context.received), contacts}}};
+    if (contacts.frame != cloud.header.frame_id) {
+      conversion.problem = "frames of tf2 have no leading slash; '" + cloud.header.frame_id +
+                           "' is taken as '" + contacts.frame + "'";
+    }
+    return conversion;
   } catch (const std::runtime_error& error) {
     return {{}, 1, "the cloud of contact points cannot be read: " + std::string(error.what())};
   }

@@ -1,9 +1,34 @@
 #include "ros/conversion/ros_settings.h"
 
+#include <algorithm>
+#include <type_traits>
+
 #include "base/validation.h"
 #include "files/settings_tree.h"
 
 namespace sfw {
+namespace {
+
+/// Takes the leading slashes of tf's first version from the frames, which tf2 refuses.
+void stripSlashes(RosSettings& settings, std::vector<std::string>& warnings) {
+  forEachRosSetting(settings, [&](const std::string& name, auto& value) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::string>) {
+      const bool is_frame = name.size() > 6 && name.compare(name.size() - 6, 6, "_frame") == 0;
+      const std::string frame = withoutSlash(value);
+      if (is_frame && frame != value) {
+        warnings.push_back(name + ": frames of tf2 have no leading slash; '" + value +
+                           "' is taken as '" + frame + "'");
+        value = frame;
+      }
+    }
+  });
+}
+
+}  // namespace
+
+std::string withoutSlash(const std::string& frame) {
+  return frame.substr(std::min(frame.find_first_not_of('/'), frame.size()));
+}
 
 std::vector<std::string> validate(const RosSettings& settings) {
   Problems problems;
@@ -19,6 +44,10 @@ std::vector<std::string> validate(const RosSettings& settings) {
   problems.require(!settings.save_directory.empty(), "ros/save_directory",
                    "'" + settings.save_directory + "'", "a directory");
   problems.notNegative("ros/autosave_period", settings.autosave_period_s);
+  problems.require(settings.on_time_jump == "keep" || settings.on_time_jump == "reset",
+                   "ros/on_time_jump", "'" + settings.on_time_jump + "'", "'keep' or 'reset'");
+  problems.positive("ros/max_tilt", settings.max_tilt_rad);
+  problems.notNegative("ros/max_speed", settings.max_speed_m_s);
   return problems.list();
 }
 
@@ -28,9 +57,12 @@ MappingSettings mappingSettingsFromYaml(const YAML::Node& node) {
   tree.dropGroup("clicked_point_bssid");  // read at each click
   readSettings(tree, settings.config);
   forEachRosSetting(settings.ros, [&](const char* name, auto& value) { tree.read(name, value); });
+  std::vector<std::string> slashes;
+  stripSlashes(settings.ros, slashes);
   tree.problems().add(validate(settings.ros));
   tree.problems().throwIfAny();
   settings.warnings = tree.warnings();
+  settings.warnings.insert(settings.warnings.end(), slashes.begin(), slashes.end());
   return settings;
 }
 

@@ -234,6 +234,8 @@ void describeTransforms(const MappingStatus& status, DiagnosticStatusWrapper& to
   to.add("readings waiting for a transform", status.waiting);
   to.add("readings dropped without a transform", status.expired);
   to.add("readings dropped because too many waited", status.overflowed);
+  to.add("readings dropped because their pose jumped", status.jumped);
+  to.add("readings with a tilted antenna", status.tilted);
 }
 
 void describeMap(const MappingStatus& status, DiagnosticStatusWrapper& to) {

@@ -44,6 +44,8 @@ struct MappingStatus {
   std::size_t waiting = 0;              ///< readings that wait for a transform
   std::size_t expired = 0;              ///< readings dropped without a transform
   std::size_t overflowed = 0;           ///< readings dropped because too many waited
+  std::size_t tilted = 0;               ///< readings of a tilted antenna
+  std::size_t jumped = 0;               ///< readings dropped for their speed
   std::size_t readings = 0;             ///< kept by the mapper
   Rejections rejections;                ///< of the mapper
   std::shared_ptr<const Snapshot> map;  ///< last one, or nullptr

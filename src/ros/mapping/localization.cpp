@@ -40,11 +40,13 @@ LocatedObservation locatedAt(const geometry_msgs::Transform& map_from_sensor,
                              const Observation& observation) {
   const auto stamp_ns = static_cast<std::int64_t>(observation.stamp.toNSec());
   const Eigen::Vector3d sensor_in_map = toVector(map_from_sensor.translation);
-  if (const auto* reading = std::get_if<UnlocatedReading>(&observation.content)) {
-    return {{{stamp_ns, sensor_in_map.head<2>(), reading->bssid, reading->rssi_dbm}}, {}, {}};
-  }
   const Eigen::Quaterniond turn = toQuaternion(map_from_sensor.rotation);
   LocatedObservation located;
+  located.up_in_sensor = turn.conjugate() * Eigen::Vector3d::UnitZ();
+  if (const auto* reading = std::get_if<UnlocatedReading>(&observation.content)) {
+    located.readings = {{stamp_ns, sensor_in_map.head<2>(), reading->bssid, reading->rssi_dbm}};
+    return located;
+  }
   for (const Eigen::Vector3d& point : std::get<UnlocatedContacts>(observation.content).points) {
     const Eigen::Vector3d in_map = turn * point + sensor_in_map;
     located.contacts.push_back({stamp_ns, in_map.head<2>()});

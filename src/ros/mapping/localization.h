@@ -20,6 +20,7 @@ struct LocatedObservation {
   std::vector<Reading> readings;
   std::vector<Contact> contacts;
   std::optional<OdometryCorrection> correction;  ///< empty if tf does not have ros/odom_frame
+  Eigen::Vector3d up_in_sensor = Eigen::Vector3d::UnitZ();  ///< the map's z axis
 };
 
 /// Looks up in tf where an observation was made. Never waits.

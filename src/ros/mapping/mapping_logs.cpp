@@ -1,8 +1,10 @@
 // What the mapping nodelet tells its user: diagnostics, and logs that say each thing once.
 
+#include <cmath>
 #include <cstdio>
 
 #include "ros/mapping/mapping_nodelet.h"
+#include "ros/mapping/other_publishers.h"
 
 namespace sfw {
 namespace {
@@ -26,6 +28,20 @@ void MappingNodelet::advertiseDiagnostics() {
   diagnostics_->add("inputs", [this](Wrapper& to) { describeInputs(status_, to); });
   diagnostics_->add("transforms", [this](Wrapper& to) { describeTransforms(status_, to); });
   diagnostics_->add("map", [this](Wrapper& to) { describeMap(status_, to); });
+}
+
+void MappingNodelet::warnOfOtherMappers() {
+  const std::string topic = getNodeHandle().resolveName("map");
+  std::string others;
+  for (const std::string& node :
+       otherPublishers(topic, publishers_ ? Advertised::kYes : Advertised::kNo)) {
+    others += (others.empty() ? "" : ", ") + node;
+  }
+  if (!others.empty() && announcements_.isNews("other mappers", others)) {
+    NODELET_WARN_STREAM(topic << " is published by " << others
+                              << " too, and each map replaces the other one; stop one of them, or "
+                                 "give each robot a namespace");
+  }
 }
 
 void MappingNodelet::announceStart() {
@@ -105,6 +121,8 @@ MappingStatus MappingNodelet::status() const {
   status.inference_s = facts_.inference_s;
   status.expired = facts_.expired;
   status.overflowed = facts_.overflowed;
+  status.tilted = facts_.tilted;
+  status.jumped = facts_.jumped;
   return status;
 }
 
@@ -164,6 +182,42 @@ void MappingNodelet::warnOfLosses(const ObservationQueue::Outcome& outcome) {
                           << ros_settings_.max_waiting << "), or find out why tf is late");
     }
   }
+}
+
+void MappingNodelet::noteFailedMessage(const std::string& topic, std::size_t index,
+                                       const std::exception& error) noexcept {
+  try {
+    const std::string problem = std::string("it could not be processed: ") + error.what();
+    statistics_.count(index, {{}, 1, problem}, ros::SteadyTime::now().toSec());
+    if (announcements_.isNews(topic + " failed", error.what())) {
+      NODELET_ERROR_STREAM("A message on "
+                           << topic << " is left out: it could not be processed: " << error.what());
+    }
+  } catch (const std::exception&) {
+    // Not even the memory for the text is there; the next message may be told.
+  }
+}
+
+void MappingNodelet::notePoses(std::size_t jumped) {
+  if (jumped > 0) {
+    mapper_->recordRejected("the pose is farther than ros/max_speed allows", jumped);
+    if (announcements_.isNews("jumped", pose_watch_->jumped())) {
+      NODELET_WARN_STREAM(pose_watch_->jumped()
+                          << " readings dropped: their pose is farther away than ros/max_speed ("
+                          << ros_settings_.max_speed_m_s << " m/s) allows; check the localisation");
+    }
+  }
+  if (announcements_.isNews("tilted", pose_watch_->tilted())) {
+    constexpr double kDegrees = 180.0 / 3.14159265358979;
+    NODELET_WARN_STREAM("The antenna tilted by up to "
+                        << std::lround(kDegrees * pose_watch_->largestTilt()) << " degrees at "
+                        << pose_watch_->tilted()
+                        << " readings, more than ros/max_tilt. Their positions are projected onto "
+                           "the floor; check the odometry or the IMU");
+  }
+  const std::lock_guard<std::mutex> lock(facts_mutex_);
+  facts_.tilted = pose_watch_->tilted();
+  facts_.jumped = pose_watch_->jumped();
 }
 
 void MappingNodelet::warnOfRejections() {

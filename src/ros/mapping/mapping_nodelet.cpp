@@ -69,6 +69,7 @@ void MappingNodelet::loadParameters() {
   mapper_.emplace(config_, access_points_, jumpTolerance(ros_settings_));
   queue_.emplace(ros_settings_);
   refresh_rule_.emplace(config_.tomography.bin_size_m);
+  pose_watch_.emplace(ros_settings_.max_tilt_rad, ros_settings_.max_speed_m_s);
   transforms_.emplace(ros::Duration(ros_settings_.tf_cache_s));
 }
 
@@ -77,6 +78,7 @@ void MappingNodelet::advertise() {
   // The map is inferred first. If no map is possible, nothing may be advertised.
   const std::shared_ptr<const Snapshot> empty = mapper_->corrected({}).mapper.infer(stop_);
   using Updates = MapPublishers::Updates;
+  warnOfOtherMappers();
   publishers_.emplace(node, ros_settings_.map_frame, config_,
                       ros_settings_.map_updates ? Updates::kRectangles : Updates::kNone);
   publishers_->publish(empty);
@@ -97,12 +99,22 @@ void MappingNodelet::subscribeTo(const Input& input) {
       statistics_.add(getNodeHandle().resolveName(input.topic), input.is_radio);
   const boost::function<void(const topic_tools::ShapeShifter::ConstPtr&)> callback =
       [this, &input, index](const topic_tools::ShapeShifter::ConstPtr& message) {
-        receive(input, index, toAnyMessage(*message));
+        receive(input, index, *message);
       };
   subscribers_.push_back(getNodeHandle().subscribe(input.topic, kQueue, callback));
 }
 
-void MappingNodelet::receive(const Input& input, std::size_t index, const AnyMessage& message) {
+void MappingNodelet::receive(const Input& input, std::size_t index,
+                             const topic_tools::ShapeShifter& message) {
+  try {
+    convert(input, index, toAnyMessage(message));
+  } catch (const std::exception& error) {
+    // An exception that leaves a callback ends the nodelet manager.
+    noteFailedMessage(input.topic, index, error);
+  }
+}
+
+void MappingNodelet::convert(const Input& input, std::size_t index, const AnyMessage& message) {
   Conversion conversion = input.convert(
       message, {ros::Time::now(), ros_settings_.antenna_frame, config_.path.footprint_radius_m});
   statistics_.count(index, conversion, ros::SteadyTime::now().toSec());
@@ -122,8 +134,8 @@ void MappingNodelet::receive(const Input& input, std::size_t index, const AnyMes
 void MappingNodelet::run(ros::CallbackQueue& calls, void (MappingNodelet::*step)()) {
   constexpr double kTick = 0.02;  // [s]; a service call wakes it at once
   while (!stop_) {
-    calls.callAvailable(ros::WallDuration(kTick));
     try {
+      calls.callAvailable(ros::WallDuration(kTick));
       (this->*step)();
     } catch (const std::exception& error) {
       changed_ = true;
@@ -146,12 +158,27 @@ void MappingNodelet::stepLocating() {
 
 void MappingNodelet::noticeTimeJump(const ros::Time& now) {
   if (now < last_now_) {
-    NODELET_WARN(
-        "ROS time jumped back: the queue of scans without transform is dropped, and the map is "
-        "kept");
+    const bool is_reset = ros_settings_.on_time_jump == "reset";
+    NODELET_WARN_STREAM("ROS time jumped back by "
+                        << last_now_.toSec() - now.toSec()
+                        << " s: readings without a transform are dropped, and the map is "
+                        << (is_reset ? "reset" : "kept") << " (ros/on_time_jump)");
     queue_->clear();
+    pose_watch_->clear();
+    if (is_reset) {
+      startAnew();
+    }
   }
   last_now_ = now;
+}
+
+bool MappingNodelet::insert(const LocatedObservation& observation) {
+  if (!pose_watch_->isUsable(observation)) {
+    return false;
+  }
+  mapper_->insert(observation);
+  announceFirstReading(observation);
+  return refresh_rule_->isNews(observation);
 }
 
 void MappingNodelet::locateObservations() {
@@ -159,12 +186,12 @@ void MappingNodelet::locateObservations() {
   bool is_news = false;
   {
     const std::lock_guard<std::mutex> lock(locating_);
+    const std::size_t jumped = pose_watch_->jumped();
     outcome = queue_->locate(*transforms_, ros::Time::now(),
                              [this, &is_news](const LocatedObservation& observation) {
-                               mapper_->insert(observation);
-                               is_news = refresh_rule_->isNews(observation) || is_news;
-                               announceFirstReading(observation);
+                               is_news = insert(observation) || is_news;
                              });
+    notePoses(pose_watch_->jumped() - jumped);
   }
   if (outcome.located > 0) {
     unsaved_ = true;

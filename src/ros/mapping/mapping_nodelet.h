@@ -33,6 +33,7 @@
 #include "ros/mapping/input_statistics.h"
 #include "ros/mapping/map_publishers.h"
 #include "ros/mapping/observation_queue.h"
+#include "ros/mapping/pose_watch.h"
 #include "ros/mapping/refresh_rule.h"
 #include "ros/mapping/shared_mapper.h"
 #include "structure_from_wifi/config.h"
@@ -64,13 +65,17 @@ class MappingNodelet : public nodelet::Nodelet {
   /// @throw InputError
   void loadParameters();
   void advertise();
+  void warnOfOtherMappers();
   void advertiseServices();
   void subscribe();
 
   void subscribeTo(const Input& input);
 
   // In the manager's threads.
-  void receive(const Input& input, std::size_t index, const AnyMessage& message);
+  void receive(const Input& input, std::size_t index, const topic_tools::ShapeShifter& message);
+  void convert(const Input& input, std::size_t index, const AnyMessage& message);
+  void noteFailedMessage(const std::string& topic, std::size_t index,
+                         const std::exception& error) noexcept;
 
   /// Answers the service calls in a queue, with steps in between, until the nodelet ends.
   void run(ros::CallbackQueue& calls, void (MappingNodelet::*step)());
@@ -84,6 +89,9 @@ class MappingNodelet : public nodelet::Nodelet {
   void noticeTimeJump(const ros::Time& now);
   bool serveMap(nav_msgs::GetMap::Response& response);
   bool reset(std_srvs::Trigger::Response& response);
+  /// Forgets everything but the geometry, and publishes the empty map.
+  /// @return false if the nodelet stops
+  bool startAnew();
   bool pause(const std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
 
   // In the mapping thread.
@@ -128,6 +136,10 @@ class MappingNodelet : public nodelet::Nodelet {
 
   // In both threads.
   void locateObservations();
+  /// @return whether the observation asks for another map
+  bool insert(const LocatedObservation& observation);
+  /// Tells of tilts and jumps; locating_ is held.
+  void notePoses(std::size_t jumped);
   void announceFirstReading(const LocatedObservation& observation);
   void warnOfLosses(const ObservationQueue::Outcome& outcome);
   void warnOfRejections();
@@ -161,7 +173,8 @@ class MappingNodelet : public nodelet::Nodelet {
   ros::SteadyTime next_autosave_;
   std::atomic<bool> unsaved_{false};  // since the last autosave
   std::atomic<bool> paused_{false};
-  std::optional<RefreshRule> refresh_rule_;  // guarded by locating_
+  std::optional<RefreshRule> refresh_rule_;  // guarded by locating_, as the next member
+  std::optional<PoseWatch> pose_watch_;
 
   // Facts for diagnostics and logs.
   std::optional<diagnostic_updater::Updater> diagnostics_;
@@ -175,7 +188,7 @@ class MappingNodelet : public nodelet::Nodelet {
     std::string update_failure;
     std::string autosave_failure;
     double inference_s = 0.0;
-    std::size_t expired = 0, overflowed = 0;
+    std::size_t expired = 0, overflowed = 0, tilted = 0, jumped = 0;
   } facts_;
 
   std::optional<OdometryCorrection> last_map_correction_;  // tf's at the last map

@@ -53,6 +53,11 @@ bool MappingNodelet::serveMap(nav_msgs::GetMap::Response& response) {
 }
 
 bool MappingNodelet::reset(std_srvs::Trigger::Response& response) {
+  response.success = startAnew() ? 1 : 0;
+  return true;
+}
+
+bool MappingNodelet::startAnew() {
   // The mapping thread may be inferring a map of the old readings. It does not publish that map.
   const std::lock_guard<std::mutex> lock(publishing_);
   {
@@ -60,6 +65,7 @@ bool MappingNodelet::reset(std_srvs::Trigger::Response& response) {
     mapper_->reset();
     queue_->clear();
     refresh_rule_->clear();
+    pose_watch_->clear();
   }
   clear_reported_ = true;
   forget_directories_ = true;
@@ -67,9 +73,8 @@ bool MappingNodelet::reset(std_srvs::Trigger::Response& response) {
   const std::shared_ptr<const Snapshot> empty = mapper_->corrected({}).mapper.infer(stop_);
   if (empty) {
     publishers_->publish(empty, {}, MapPublishers::When::kAlways);
-    response.success = 1;
   }
-  return true;
+  return empty != nullptr;
 }
 
 bool MappingNodelet::serveOctomap(bool binary, octomap_msgs::GetOctomap::Response& response) {
@@ -143,7 +148,9 @@ void MappingNodelet::placeAccessPoint(const geometry_msgs::PointStamped& click) 
   }
   try {
     const geometry_msgs::Transform map_from_click =
-        transforms_->lookupTransform(ros_settings_.map_frame, click.header.frame_id, ros::Time())
+        transforms_
+            ->lookupTransform(ros_settings_.map_frame, withoutSlash(click.header.frame_id),
+                              ros::Time())
             .transform;
     const Position position = inMap(map_from_click, click.point);
     mapper_->place(*bssid, position);

@@ -117,6 +117,7 @@ void MappingNodelet::resumeOnce() {
     return;
   }
   resumed_ = true;
+  warnOfOtherMappers();  // that started at the same time
   next_autosave_ = ros::SteadyTime::now() + ros::WallDuration(ros_settings_.autosave_period_s);
   const std::string directory = autosaveDirectory();
   if (!ros_settings_.resume) {

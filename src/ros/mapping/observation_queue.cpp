@@ -43,10 +43,24 @@ ObservationQueue::Outcome ObservationQueue::locate(const tf2::BufferCore& transf
     std::swap(outcome.overflowed, overflowed_);
   }
   std::deque<Waiting> still_waiting;
-  for (Waiting& waiting : all) {
+  const auto giveBack = [&] {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (std::deque<Waiting>* part : {&all, &still_waiting}) {
+      waiting_.insert(waiting_.begin(), std::make_move_iterator(part->begin()),
+                      std::make_move_iterator(part->end()));
+    }
+  };
+  while (!all.empty()) {
+    Waiting waiting = std::move(all.front());
+    all.pop_front();
     std::string tf_error;
     if (const auto located = sfw::locate(waiting.observation, config_, transforms, tf_error)) {
-      sink(*located);
+      try {
+        sink(*located);
+      } catch (const std::exception&) {
+        giveBack();  // the others
+        throw;
+      }
       ++outcome.located;
     } else if (isExpired(waiting, now)) {
       ++outcome.expired;
@@ -56,9 +70,7 @@ ObservationQueue::Outcome ObservationQueue::locate(const tf2::BufferCore& transf
       still_waiting.push_back(std::move(waiting));
     }
   }
-  const std::lock_guard<std::mutex> lock(mutex_);
-  waiting_.insert(waiting_.begin(), std::make_move_iterator(still_waiting.begin()),
-                  std::make_move_iterator(still_waiting.end()));
+  giveBack();
   return outcome;
 }
 

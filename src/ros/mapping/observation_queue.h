@@ -44,6 +44,7 @@ class ObservationQueue {
 
   /// Passes on each observation that tf can locate. Drops observations that are too old or have
   /// waited too long. An observation with a stamp in the future waits until it is dropped.
+  /// If the sink throws, its observation is dropped and the others wait on.
   /// @param now  of the clock of the stamps; with zero, an unknown time, nothing expires
   Outcome locate(const tf2::BufferCore& transforms, const ros::Time& now, const Sink& sink);
 
