@@ -109,6 +109,10 @@ class SFW_EXPORT Mapper {
   /// Infers the map without any signal strength. This ablation shows the contribution of the radio.
   std::shared_ptr<const Snapshot> inferWithoutRadio() const;
 
+  /// Changes the settings of later maps; those of the group `map` stay, as the readings lie on it.
+  /// @throw InputError if they cannot be used; then nothing changes.
+  void configure(const Config& config);
+
  private:
   std::shared_ptr<const Snapshot> infer(UseRadio use_radio, const std::atomic<bool>& stop) const;
 

@@ -96,6 +96,15 @@ Mapper::Mapper(Mapper&& other) noexcept = default;
 Mapper& Mapper::operator=(Mapper&& other) noexcept = default;
 Mapper::~Mapper() = default;
 
+void Mapper::configure(const Config& config) {
+  throwIfAny(validate(config));
+  Config taken = config;
+  taken.map = config_.map;  // the readings lie on its grid
+  std::shared_ptr<const MapMethod> method = makeMapMethod(taken);
+  config_ = std::move(taken);
+  method_ = std::move(method);
+}
+
 InsertResult Mapper::insert(const Reading& reading) { return store_->insert(reading); }
 InsertResult Mapper::insert(const Contact& contact) { return store_->insert(contact); }
 

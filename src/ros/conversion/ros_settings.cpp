@@ -55,6 +55,7 @@ MappingSettings mappingSettingsFromYaml(const YAML::Node& node) {
   MappingSettings settings;
   SettingsTree tree(node);
   tree.dropGroup("clicked_point_bssid");  // read at each click
+  tree.dropGroup("live");                 // of dynamic_reconfigure
   readSettings(tree, settings.config);
   forEachRosSetting(settings.ros, [&](const char* name, auto& value) { tree.read(name, value); });
   std::vector<std::string> slashes;

@@ -84,6 +84,7 @@ void MappingNodelet::advertise() {
   publishers_->publish(empty);
 
   advertiseServices();
+  advertiseLiveSettings();
 }
 
 void MappingNodelet::subscribe() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <diagnostic_updater/diagnostic_updater.h>
+#include <dynamic_reconfigure/server.h>
 #include <geometry_msgs/PointStamped.h>
 #include <nav_msgs/GetMap.h>
 #include <nodelet/nodelet.h>
@@ -15,6 +16,7 @@
 #include <structure_from_wifi/SaveMap.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
+#include <topic_tools/shape_shifter.h>
 
 #include <atomic>
 #include <memory>
@@ -27,6 +29,7 @@
 #include <vector>
 
 #include "ros/conversion/input_messages.h"
+#include "ros/conversion/live_settings.h"
 #include "ros/conversion/ros_settings.h"
 #include "ros/mapping/announcements.h"
 #include "ros/mapping/diagnostics.h"
@@ -67,6 +70,7 @@ class MappingNodelet : public nodelet::Nodelet {
   void advertise();
   void warnOfOtherMappers();
   void advertiseServices();
+  void advertiseLiveSettings();
   void subscribe();
 
   void subscribeTo(const Input& input);
@@ -119,6 +123,11 @@ class MappingNodelet : public nodelet::Nodelet {
   void placeAccessPoint(const geometry_msgs::PointStamped& click);
   void refreshWhollyAnew();
 
+  // Settings that dynamic_reconfigure changes, in the mapping thread.
+  /// Takes over the settings, or tells why not and gives back the present ones.
+  void changeSettings(structure_from_wifi::LiveConfig& live);
+  void takeSettings(const structure_from_wifi::LiveConfig& live, const MappingSettings& wanted);
+
   // Sessions, in the mapping thread; the destructor saves the last time.
   void resumeOnce();
   /// @return what was added, in words
@@ -159,6 +168,7 @@ class MappingNodelet : public nodelet::Nodelet {
   ros::CallbackQueue quick_calls_, slow_calls_;  // outlive the servers that use them
   std::vector<ros::ServiceServer> servers_;
   ros::Subscriber click_subscriber_;
+  std::unique_ptr<dynamic_reconfigure::Server<structure_from_wifi::LiveConfig>> live_server_;
 
   std::mutex locating_;    // held while observations go from the queue to the mapper
   std::mutex publishing_;  // held while a map is published, and during a reset

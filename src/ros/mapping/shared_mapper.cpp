@@ -36,6 +36,11 @@ void SharedMapper::insert(const LocatedObservation& observation) {
   readings_ += sfw::insert(observation, mapper_, corrector_);
 }
 
+void SharedMapper::configure(const Config& config) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  mapper_.configure(config);
+}
+
 void SharedMapper::recordRejected(const std::string& reason, std::size_t count) {
   const std::lock_guard<std::mutex> lock(mutex_);
   mapper_.recordRejected(reason, count);

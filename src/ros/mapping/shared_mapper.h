@@ -33,6 +33,10 @@ class SharedMapper {
   /// Forgets all readings and corrections; the geometry stays.
   void reset();
 
+  /// Changes the settings of later maps, except for the group `map`.
+  /// @throw InputError as Mapper, and changes nothing
+  void configure(const Config& config);
+
   /// Counts readings that were rejected before insertion (Mapper::recordRejected).
   void recordRejected(const std::string& reason, std::size_t count);
 
