@@ -12,7 +12,8 @@ namespace sfw {
 /// The hardware address of an access point's radio: the key of readings and access points.
 class SFW_EXPORT Bssid {
  public:
-  /// Reads six pairs of hexadecimal digits joined by ':' or '-', in either case.
+  /// Reads twelve hexadecimal digits in either case: alone, or as 01:23:45:67:89:ab,
+  /// 01-23-45-67-89-ab, 0123.4567.89ab or 012345-6789ab.
   /// @return nothing if the text is malformed or all zero (a radio that is not associated).
   static std::optional<Bssid> parse(std::string_view text);
 

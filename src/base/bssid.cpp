@@ -1,9 +1,13 @@
 #include "structure_from_wifi/bssid.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <string>
 
 namespace sfw {
 namespace {
+
+constexpr std::size_t kDigits = 12;
 
 int hexDigit(char c) {
   if (c >= '0' && c <= '9') {
@@ -18,31 +22,57 @@ int hexDigit(char c) {
   return -1;
 }
 
+/// Whether a text has only hexadecimal digits, and so many.
+bool isHex(std::string_view text, std::size_t count) {
+  return text.size() == count &&
+         std::all_of(text.begin(), text.end(), [](char c) { return hexDigit(c) >= 0; });
+}
+
+/// The digits of groups of one size; empty if a group has another size.
+std::string joinedGroups(std::string_view text, std::string_view separators, std::size_t size) {
+  std::string digits;
+  while (true) {
+    const std::size_t end = std::min(text.find_first_of(separators), text.size());
+    const std::string_view group = text.substr(0, end);
+    if (!isHex(group, size)) {
+      return "";
+    }
+    digits += group;
+    if (end == text.size()) {
+      return digits;
+    }
+    text.remove_prefix(end + 1);
+  }
+}
+
+/// The twelve digits of an address, or another number of characters.
+std::string digitsOf(std::string_view text) {
+  constexpr std::size_t kOctet = 2;
+  if (isHex(text, kDigits)) {
+    return std::string(text);
+  }
+  if (text.find('.') != std::string_view::npos) {
+    return joinedGroups(text, ".", 2 * kOctet);
+  }
+  if (text.size() == kDigits + 1) {
+    return joinedGroups(text, "-", 3 * kOctet);
+  }
+  return joinedGroups(text, ":-", kOctet);
+}
+
 }  // namespace
 
 std::optional<Bssid> Bssid::parse(std::string_view text) {
-  constexpr std::size_t kLength = 17;
-  if (text.size() != kLength) {
+  constexpr std::size_t kLongest = 17;
+  const std::string digits = text.size() <= kLongest ? digitsOf(text) : "";
+  if (digits.size() != kDigits) {
     return std::nullopt;
   }
   Bssid bssid;
-  for (std::size_t i = 0; i < kLength; ++i) {
-    if (i % 3 == 2) {
-      if (text[i] != ':' && text[i] != '-') {
-        return std::nullopt;
-      }
-      continue;
-    }
-    const int digit = hexDigit(text[i]);
-    if (digit < 0) {
-      return std::nullopt;
-    }
-    bssid.value_ = bssid.value_ << 4 | static_cast<std::uint64_t>(digit);
+  for (const char digit : digits) {
+    bssid.value_ = bssid.value_ << 4 | static_cast<std::uint64_t>(hexDigit(digit));
   }
-  if (bssid.value_ == 0) {
-    return std::nullopt;
-  }
-  return bssid;
+  return bssid.value_ == 0 ? std::nullopt : std::optional(bssid);
 }
 
 std::string Bssid::str() const {

@@ -27,6 +27,7 @@ namespace {
 
 struct MapOptions {
   std::string readings;
+  std::string poses;
   std::string bag;
   BagTopics topics = defaultBagTopics();
   std::string map_frame;
@@ -62,7 +63,8 @@ std::vector<AccessPoint> tableOf(const MapOptions& options) {
 
 /// Reads the file of readings, in metres.
 ReadingFile readingsOf(const MapOptions& options) {
-  ReadingFile file = options.bag.empty() ? readWithWarnings(options.readings) : ReadingFile{};
+  ReadingFile file =
+      options.bag.empty() ? readWithWarnings(options.readings, options.poses) : ReadingFile{};
   for (Reading& reading : file.readings) {
     reading.antenna_in_map *= options.scale;
   }
@@ -203,6 +205,9 @@ void runMap(Options& options) {
   options.add("readings", "FILE", map.readings,
               "CSV with the columns stamp, x, y, bssid, rssi_dbm; exactly one of --readings and "
               "--bag is needed");
+  options.add("poses", "FILE", map.poses,
+              "CSV with the columns stamp, x, y: positions for readings that have none, such as "
+              "those of WiGLE (CSV) and Kismet (table of packets as CSV)");
   options.add("bag", "FILE", map.bag, "bag with /tf and scans");
   for (const Input& input : kInputs) {
     if (input.bag_option != nullptr) {
@@ -232,6 +237,9 @@ void runMap(Options& options) {
   }
   if (options.given("scale") && options.given("bag")) {
     throw InputError("--scale goes with --readings: positions of a bag are in metres");
+  }
+  if (options.given("poses") && options.given("bag")) {
+    throw InputError("--poses goes with --readings: a bag has transforms");
   }
   run(map);
 }

@@ -6,12 +6,14 @@
 
 namespace sfw {
 
-/// Reads a map as map_server does: YAML beside a PGM (P2 or P5, 8 bit) or a PNG. Transparent pixels
+/// Reads a map as map_server does: YAML beside an image, as readImage reads it. Transparent pixels
 /// are unknown.
 ///
-/// The keys negate, occupied_thresh and free_thresh of the file turn pixels into states.
-/// @throw InputError naming the file if it cannot be read, is cut short, is rotated (yaw other than
-/// 0), has another image type or mode (`raw`), or contains an invalid value.
+/// The keys mode, negate, occupied_thresh and free_thresh of the file turn pixels into states. In
+/// mode trinary, the grey 205 is unknown for any free_thresh, if lighter pixels are free: Nav2 and
+/// slam_toolbox write 0.25 beside such maps. A yaw of the origin turns the map, as `turned` does.
+/// @throw InputError naming the file if it cannot be read, is cut short, has an unknown image type
+/// or mode, or contains an invalid value, such as a yaw that is no number.
 Grid<CellState> readMap(const std::string& yaml_file);
 
 /// Reads the probability of being occupied of each pixel, in [0, 1]; 0.5 where it is transparent.

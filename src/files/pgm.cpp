@@ -30,7 +30,7 @@ class PgmText {
       }
     }
     if (at_ == start || value < low || value > high) {
-      throw InputError(file_ + ": not a whole 8-bit PGM (byte " + std::to_string(start) + ")");
+      throw InputError(file_ + ": not a whole PGM (byte " + std::to_string(start) + ")");
     }
     return value;
   }
@@ -69,10 +69,12 @@ GreyImage readPgm(const std::string& file) {
   GreyImage image;
   image.width = text.number(1, kMaxSide);
   image.height = text.number(1, kMaxSide);
-  const long deepest = text.number(1, 255);
+  constexpr long kDeepest = 65535;
+  const long deepest = text.number(1, kDeepest);
+  const std::size_t width = magic == "P5" && deepest > 255 ? 2 : 1;  // bytes of a value
   const auto count = static_cast<std::size_t>(image.width * image.height);
   // Checked before any allocation: each pixel takes at least a byte of the file.
-  if (bytes.size() < count) {
+  if (bytes.size() < width * count) {
     throw InputError(file + ": the image is cut short");
   }
   image.pixels.resize(count);
@@ -80,8 +82,10 @@ GreyImage readPgm(const std::string& file) {
     long value = 0;
     if (magic == "P2") {
       value = text.number(0, deepest);
-    } else if (text.pixels() + i < bytes.size()) {
-      value = static_cast<std::uint8_t>(bytes[text.pixels() + i]);
+    } else if (text.pixels() + width * (i + 1) <= bytes.size()) {
+      for (std::size_t at = text.pixels() + width * i; at < text.pixels() + width * (i + 1); ++at) {
+        value = value << 8 | static_cast<std::uint8_t>(bytes[at]);
+      }
     } else {
       throw InputError(file + ": the image is cut short");
     }

@@ -15,7 +15,7 @@ struct GreyImage {
   std::vector<std::uint8_t> pixels;
 };
 
-/// Reads a PGM (P2 or P5, 8 bit) and scales its values to 0..255.
+/// Reads a PGM (P2 or P5, 8 or 16 bit) and scales its values to 0..255.
 /// @throw InputError naming the file if it cannot be read, is cut short or has another format.
 GreyImage readPgm(const std::string& file);
 

@@ -97,6 +97,10 @@ std::uint8_t lumaOf(const std::uint8_t* rgb) {
   return static_cast<std::uint8_t>((299 * rgb[0] + 587 * rgb[1] + 114 * rgb[2] + 500) / 1000);
 }
 
+std::uint8_t meanOf(const std::uint8_t* rgb) {
+  return static_cast<std::uint8_t>((rgb[0] + rgb[1] + rgb[2] + 1) / 3);
+}
+
 /// libpng's image of 8-bit grey values and opacity. It is freed at the end.
 class PngImage {
  public:
@@ -120,7 +124,7 @@ bool isPng(std::string_view bytes) {
   return bytes.substr(0, kMagic.size()) == kMagic;
 }
 
-TranslucentImage readPng(const std::string& file) {
+TranslucentImage readPng(const std::string& file, GreyOf grey) {
   const std::string bytes = readFile(file);
   if (!isPng(bytes)) {
     throw InputError(file + ": not a PNG image; convert it, e.g. with ImageMagick");
@@ -150,9 +154,10 @@ TranslucentImage readPng(const std::string& file) {
   require(decoder.readPixels(rows.data()));
   TranslucentImage image{{width, height, std::vector<std::uint8_t>(count)},
                          std::vector<std::uint8_t>(count)};
+  const auto grey_of = grey == GreyOf::kMean ? meanOf : lumaOf;
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint8_t* const pixel = &values[channels * i];
-    image.grey.pixels[i] = channels == 4 ? lumaOf(pixel) : pixel[0];
+    image.grey.pixels[i] = channels == 4 ? grey_of(pixel) : pixel[0];
     image.opacity[i] = pixel[channels - 1];
   }
   return image;

@@ -17,6 +17,12 @@ struct TranslucentImage {
   std::vector<std::uint8_t> opacity;  ///< of each pixel: 0 is transparent, 255 opaque
 };
 
+/// How a colour becomes grey.
+enum class GreyOf {
+  kLuma,  ///< of ITU-R BT.601, as bright as people see it
+  kMean   ///< of red, green and blue, as map_server takes it
+};
+
 /// Larger images are refused. Decoding takes at most 6 bytes a pixel.
 constexpr std::int64_t kMostPngPixels = 64'000'000;
 
@@ -25,12 +31,12 @@ bool isPng(std::string_view bytes);
 
 /// Reads a PNG of any colour type, depth and interlacing.
 ///
-/// Colours become grey by the luma of ITU-R BT.601, and 16 bits are scaled to 8. A gAMA chunk is
-/// ignored, as map_server does. An image without opacity is opaque.
+/// Colours become grey, and 16 bits are scaled to 8. A gAMA chunk is ignored,
+/// as map_server does. An image without opacity is opaque.
 /// @throw InputError naming the file and a remedy if it cannot be read, has another format, is
 /// damaged or cut short, or has more than kMostPngPixels pixels. The size is checked before any
 /// allocation for the pixels.
-TranslucentImage readPng(const std::string& file);
+TranslucentImage readPng(const std::string& file, GreyOf grey = GreyOf::kLuma);
 
 /// Encodes an image as PNG with 8-bit grey values and opacity.
 std::string encodePng(const TranslucentImage& image);

@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace sfw {
 
@@ -23,9 +22,6 @@ std::optional<std::int64_t> parseNanoseconds(std::string_view seconds);
 
 /// Removes leading and trailing blanks.
 std::string_view trimmed(std::string_view text);
-
-/// Splits a text at separators into at least one part.
-std::vector<std::string_view> split(std::string_view text, char separator);
 
 /// Levenshtein's distance: insertions, deletions and substitutions that turn `a` into `b`.
 std::size_t editDistance(std::string_view a, std::string_view b);

@@ -19,7 +19,20 @@ TEST(Bssid, IsReadInEitherCaseAndWithEitherSeparator) {
   EXPECT_EQ(read("00:00:00:00:00:01"), "00:00:00:00:00:01");
 }
 
+TEST(Bssid, IsReadAsNetworkDevicesWriteIt) {
+  for (const char* const text : {"0123.4567.89AB", "0123456789ab", "012345-6789ab"}) {
+    EXPECT_EQ(read(text), "01:23:45:67:89:ab") << text;
+  }
+  EXPECT_EQ(read("525400123456"), "52:54:00:12:34:56");
+}
+
 TEST(Bssid, IsNothingWhenMalformed) {
+  for (const char* const text :
+       {"0123.4567.89a", "0123.4567", "0123.45678.9ab", "0123456789a", "0123456789abc",
+        "012345:6789ab", "01234-56789ab", "...", "0123.4567.89ab."}) {
+    EXPECT_EQ(read(text), "") << text;
+  }
+
   EXPECT_EQ(read(""), "");
   EXPECT_EQ(read("01:23:45:67:89:a"), "");
   EXPECT_EQ(read("01:23:45:67:89:ab:"), "");

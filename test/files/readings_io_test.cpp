@@ -65,9 +65,40 @@ TEST_F(ReadingIo, TakesCarriageReturnsBlanksBlankLinesAndAMissingLastNewline) {
 
 TEST_F(ReadingIo, TakesWhatSpreadsheetsWrite) {
   expectTheRow(readText("\xEF\xBB\xBF" + kHeader + kRow));
-  const std::string commas = path("readings.csv") + ": line 1: columns must be separated by commas";
-  EXPECT_EQ(complaintOf("stamp;x;y;bssid;rssi_dbm\n1;2;3;02:00:00:00:00:01;-40\n"), commas);
-  EXPECT_EQ(complaintOf("stamp\tx\ty\tbssid\trssi_dbm\n"), commas);
+  expectTheRow(readText("stamp;x;y;bssid;rssi_dbm\n12,5;1,25;-2,5;02:00:00:00:00:01;-47,5\n"));
+  expectTheRow(
+      readText("sep=;\nstamp;x;y;bssid;rssi_dbm\n12.5;1.25;-2.5;02:00:00:00:00:01;-47.5\n"));
+  expectTheRow(
+      readText("stamp\tx\ty\tbssid\trssi_dbm\n12,5\t1,25\t-2,5\t02:00:00:00:00:01\t-47,5\n"));
+}
+
+TEST_F(ReadingIo, KeepsNanosecondsBehindADecimalComma) {
+  const auto file =
+      readText("stamp;x;y;bssid;rssi_dbm\n1700000000,123456789;0;0;02:00:00:00:00:01;-40\n");
+  EXPECT_EQ(file.readings.front().stamp_ns, 1700000000123456789);
+}
+
+TEST_F(ReadingIo, TakesOtherNamesOfColumnsAndDates) {
+  expectTheRow(readText("Timestamp,X,Y,MAC,RSSI\n12.5,1.25,-2.5,0200.0000.0001,-47.5\n"));
+  expectTheRow(
+      readText("stamp,x,y,bssid,rssi\n1970-01-01 00:00:12.5,1.25,-2.5,02:00:00:00:00:01,"
+               "-47.5\n"));
+  EXPECT_EQ(stamp("2024-05-31T12:34:56+02:00"), 1717151696000000000);
+  EXPECT_NE(complaintOf(kHeader + "2024-02-30 00:00:00,0,0,02:00:00:00:00:01,-40\n"), "nothing");
+}
+
+TEST_F(ReadingIo, ReadsPositionsOfProjectedCoordinates) {
+  const auto file = readText(kHeader + "1,-7541.25,4864921.5,02:00:00:00:00:01,-40\n");
+  EXPECT_EQ(file.readings.front().antenna_in_map, Position(-7541.25, 4864921.5));
+}
+
+/// "'stamp', 'x'" of "stamp,x\n".
+std::string listed(std::string header) {
+  header.pop_back();
+  for (std::size_t comma = 0; (comma = header.find(',', comma)) != std::string::npos; comma += 3) {
+    header.replace(comma, 1, "', '");
+  }
+  return "'" + header + "'";
 }
 
 TEST_F(ReadingIo, NamesAMissingColumn) {
@@ -75,7 +106,11 @@ TEST_F(ReadingIo, NamesAMissingColumn) {
     std::string header = kHeader;
     header.replace(header.find(column), column.size(), "other");
     EXPECT_EQ(complaintOf(header + kRow),
-              path("readings.csv") + ": line 1: the column '" + column + "' is missing");
+              path("readings.csv") + ": line 1: the column '" + column +
+                  "' is missing; the file has " + listed(header) +
+                  (column == "x" || column == "y"
+                       ? "; x and y may come from a file of poses: sfw map --poses"
+                       : ""));
   }
 }
 
@@ -98,7 +133,7 @@ TEST_F(ReadingIo, CountsSkippedRowsByReasonAndShowsTheFirst) {
                              "1,0,0,02:00:00:00:00:01\n"          //
                              "1\n"                                //
                              "1e300,0,0,02:00:00:00:00:01,-40\n"  //
-                             "1,2e6,0,02:00:00:00:00:01,-40\n"    //
+                             "1,2e8,0,02:00:00:00:00:01,-40\n"    //
                              "2,0,0,00:00:00:00:00:00,-40\n");
   EXPECT_EQ(file.readings.size(), 1U);
   std::map<std::string, std::pair<std::size_t, std::string>> skipped;
@@ -114,7 +149,7 @@ TEST_F(ReadingIo, CountsSkippedRowsByReasonAndShowsTheFirst) {
       {"rssi_dbm is not a number", {1, "line 9: rssi_dbm ''"}},
       {"x is not a number", {1, "line 10: x ''"}},
       {"stamp is out of range", {1, "line 11: stamp '1e300'"}},
-      {"x is out of range", {1, "line 12: x '2e6'"}}};
+      {"x is out of range", {1, "line 12: x '2e8'"}}};
   EXPECT_EQ(skipped, expected);
 }
 
@@ -197,7 +232,7 @@ TEST_F(ReadingIo, RefusesContactsThatCannotBeUsed) {
   EXPECT_EQ(complaintOf([&] { readContacts(file); }), file + ": line 3: x is not finite: x 'nan'");
   const std::string lacking = write("lacking.csv", "stamp,x\n1,2\n");
   EXPECT_EQ(complaintOf([&] { readContacts(lacking); }),
-            lacking + ": line 1: the column 'y' is missing");
+            lacking + ": line 1: the column 'y' is missing; the file has 'stamp', 'x'");
 }
 
 }  // namespace

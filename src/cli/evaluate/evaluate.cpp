@@ -26,6 +26,7 @@ struct EvaluateOptions {
   std::string map;
   std::string truth;
   std::string readings;
+  std::string poses;
   std::string access_points;
   std::string probability;
   std::vector<std::string> beside;
@@ -218,7 +219,7 @@ EvaluationInput inputFor(const EvaluateOptions& options, const std::vector<Readi
 }
 
 void run(const EvaluateOptions& options) {
-  const std::vector<Reading> readings = readWithWarnings(options.readings).readings;
+  const std::vector<Reading> readings = readWithWarnings(options.readings, options.poses).readings;
   EvaluationInput input = inputFor(options, readings);
   std::vector<AccessPoint> access_points;
   std::vector<AccessPoint> located;
@@ -250,6 +251,8 @@ void runEvaluate(Options& options) {
                       "true map in the same frame (map_server YAML)");
   options.addRequired("readings", "FILE", evaluate.readings,
                       "CSV that the map was made from; its path says where to ask the map");
+  options.add("poses", "FILE", evaluate.poses,
+              "CSV with the columns stamp, x, y: positions for readings that have none");
   options.add("access-points", "FILE", evaluate.access_points,
               "YAML; adds the metrics of observed walls, those that a ray crosses");
   options.add("probability", "FILE", evaluate.probability,

@@ -24,10 +24,11 @@ std::vector<std::string> validate(const FloorPlanOptions& options);
 ///   or in gaps of up to 0.6 m between them, are wall: so a slit is wall throughout. A slit between
 ///   the centres of neighbouring cells becomes one cell of wall. The grid's edges are whole
 ///   multiples of the resolution, at least 0.5 m away from free space.
-/// - map_server YAML beside its PGM, trinary or scale, as readMap reads it.
+/// - map_server YAML beside its image, as readMap reads it.
 /// - PNG with options.metres_per_pixel, lower left corner at the map frame's origin. Pixels darker
-///   than middle grey are wall, transparent pixels are unknown. White areas that touch the image
-///   border are outside the building.
+///   than middle grey are wall. Transparent pixels are unknown, unless walls enclose more of them
+///   than there are light pixels: then they are floor, as in drawings of walls alone. White areas
+///   that touch the image border are outside the building.
 ///
 /// Walls get their materials from withMaterials.
 /// @throw InputError naming the file and its problem: unreadable, malformed, without free cells,

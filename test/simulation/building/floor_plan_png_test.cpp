@@ -70,6 +70,50 @@ TEST_F(FloorPlanPng, WhiteAroundTheBuildingIsOutside) {
                   "???????"}));
 }
 
+/// A picture of black walls '#', white '.' and transparent black ' '.
+std::string translucent(const Rows& rows) {
+  test::PngContent content{PNG_COLOR_TYPE_GRAY_ALPHA, 8, {}};
+  for (const std::string& row : rows) {
+    std::vector<std::uint8_t> bytes;
+    for (const char c : row) {
+      bytes.push_back(c == '.' ? 255 : 0);
+      bytes.push_back(c == ' ' ? 0 : 255);
+    }
+    content.rows.push_back(bytes);
+  }
+  return test::encoded(content, static_cast<std::uint32_t>(rows[0].size()),
+                       static_cast<std::uint32_t>(rows.size()));
+}
+
+TEST_F(FloorPlanPng, ReadsWallsOnATransparentGround) {
+  FloorPlanOptions options;
+  options.metres_per_pixel = 0.2;
+  const Rows plan{"?????????",  //
+                  "?#######?",  //
+                  "?#..#..#?",  //
+                  "?#.....#?",  //
+                  "?#######?",  //
+                  "?????????"};
+  const auto read = [&](const Rows& rows) {
+    return test::rowsOf(toStates(readFloorPlan(write("plan.png", translucent(rows)), options)));
+  };
+  EXPECT_EQ(read({"         ",  //
+                  " ####### ",  //
+                  " #  #  # ",  //
+                  " #    .# ",  // a white label
+                  " ####### ",  //
+                  "         "}),
+            plan);
+  // White floor with transparency around it, and in a shaft.
+  EXPECT_EQ(read({"         ",  //
+                  " ####### ",  //
+                  " #..#..# ",  //
+                  " #... .# ",  //
+                  " ####### ",  //
+                  "         "})[3],
+            "?#...?.#?");
+}
+
 TEST_F(FloorPlanPng, SaysWhatIsWrongWithAPicture) {
   FloorPlanOptions options;
   const std::string leak = picture({"###", "...", "###"});

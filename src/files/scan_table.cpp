@@ -1,0 +1,78 @@
+#include "files/scan_table.h"
+
+#include <cmath>
+
+namespace sfw {
+namespace {
+
+enum Column : std::size_t { kStamp, kX, kY, kBssid, kRssi, kMicroseconds, kType, kPhy };
+
+std::vector<CsvColumn> columnsOf(bool has_poses) {
+  const std::string advice = "; x and y may come from a file of poses: sfw map --poses";
+  return {{"stamp", {"timestamp", "time", "FirstSeen", "ts_sec"}},
+          {"x", {}, !has_poses, advice},
+          {"y", {}, !has_poses, advice},
+          {"bssid", {"mac", "transmac", "sourcemac"}},
+          {"rssi_dbm", {"rssi", "signal"}},
+          {"ts_usec", {}, false},
+          {"Type", {}, false},
+          {"phyname", {}, false}};
+}
+
+}  // namespace
+
+ScanTable::ScanTable(const std::string& file, bool has_poses)
+    : has_poses_(has_poses), table_(file, columnsOf(has_poses)) {}
+
+std::optional<RowFault> ScanTable::read(Reading& reading) const {
+  std::optional<RowFault> fault = faultOfRow(table_);
+  if (!fault) {
+    fault = faultOfRadio();
+  }
+  if (!fault) {
+    fault = readTime(reading);
+  }
+  if (!fault && !has_poses_) {
+    fault = readPosition(table_, kX, reading.antenna_in_map);
+  }
+  return fault ? fault : readSignal(reading);
+}
+
+/// WiGLE and Kismet also record other radios than WiFi.
+std::optional<RowFault> ScanTable::faultOfRadio() const {
+  if (table_.name(kStamp) == "FirstSeen" && table_.has(kType) && table_.field(kType) != "WIFI") {
+    return faultOf(table_, kType, " is not WIFI");
+  }
+  if (table_.name(kStamp) == "ts_sec" && table_.has(kPhy) && table_.field(kPhy) != "IEEE802.11") {
+    return faultOf(table_, kPhy, " is not IEEE802.11");
+  }
+  return std::nullopt;
+}
+
+std::optional<RowFault> ScanTable::readTime(Reading& reading) const {
+  std::optional<RowFault> fault = readStamp(table_, kStamp, reading.stamp_ns);
+  if (fault || !table_.has(kMicroseconds)) {
+    return fault;
+  }
+  constexpr double kSecond = 1e6;
+  double microseconds = 0.0;
+  fault = readNumber(table_, kMicroseconds, 0.0, kSecond, microseconds);
+  reading.stamp_ns += std::llround(microseconds * 1e3);
+  return fault;
+}
+
+std::optional<RowFault> ScanTable::readSignal(Reading& reading) const {
+  const std::optional<Bssid> bssid = Bssid::parse(table_.field(kBssid));
+  if (!bssid) {
+    return faultOf(table_, kBssid, " is malformed");
+  }
+  reading.bssid = *bssid;
+  constexpr double kAbsurd = 1e5;  // Mapper checks the signals, and the notes name other units
+  std::optional<RowFault> fault = readNumber(table_, kRssi, -kAbsurd, kAbsurd, reading.rssi_dbm);
+  if (!fault && table_.name(kStamp) == "ts_sec" && reading.rssi_dbm == 0.0) {
+    fault = faultOf(table_, kRssi, " is 0, where Kismet has no signal");
+  }
+  return fault;
+}
+
+}  // namespace sfw
