@@ -13,11 +13,15 @@ namespace sfw {
 namespace {
 
 constexpr char kTableKey[] = "access_points";
+constexpr char kFarthest[] = "1e8";  // metres; no map projection has larger numbers
+constexpr char kLargest[] = "1e6";   // of other numbers
 constexpr const char* kKeys[] = {"bssid", "x", "y", "z", "name", "tx_dbm"};
 
 /// Reads an optional or required number of an access point; adds a problem if it is unusable.
+/// @param largest  of its absolute value, as the problem names it: "1e6"
 std::optional<double> readNumber(const YAML::Node& entry, const char* key, bool required,
-                                 const std::string& where, std::vector<std::string>& problems) {
+                                 const char* largest, const std::string& where,
+                                 std::vector<std::string>& problems) {
   const YAML::Node node = entry[key];
   if (!node) {
     if (required) {
@@ -26,25 +30,53 @@ std::optional<double> readNumber(const YAML::Node& entry, const char* key, bool 
     return std::nullopt;
   }
   double value = 0.0;
-  if (!readScalar(node, value) || !std::isfinite(value) || std::abs(value) > 1e6) {
-    problems.push_back(where + ": '" + key + "' must be a number from -1e6 to 1e6");
+  if (!readScalar(node, value) || !(std::abs(value) <= *parseNumber(largest))) {
+    const bool has_comma = node.IsScalar() && node.Scalar().find(',') != std::string::npos;
+    problems.push_back(where + ": '" + key + "' must be a number from -" + largest + " to " +
+                       largest + (has_comma ? ", with a decimal point" : ""));
     return std::nullopt;
   }
   return value;
 }
 
-void warnOfUnknownKeys(const YAML::Node& entry, const std::string& where,
-                       std::vector<std::string>& warnings) {
+/// Adds unknown keys to the warnings, or to the problems if they show that a number is cut.
+void tellUnknownKeys(const YAML::Node& entry, const std::string& where,
+                     std::vector<std::string>& problems, std::vector<std::string>& warnings) {
   const auto is_known = [](const std::string& key) {
     return std::find(std::begin(kKeys), std::end(kKeys), key) != std::end(kKeys);
   };
   for (const auto& field : entry) {
-    if (!field.first.IsScalar() || !is_known(field.first.Scalar())) {
-      const std::string key = field.first.IsScalar() ? field.first.Scalar() : "a list or map";
+    const std::string key = field.first.IsScalar() ? field.first.Scalar() : "a list or map";
+    if (is_known(key)) {
+      continue;
+    }
+    if (parseNumber(key)) {  // {x: 2,6} has the keys x and 6
+      problems.push_back(where + ": '" + key +
+                         "' follows a comma within a number; write a decimal point");
+    } else {
       warnings.push_back(where + ": '" + key +
                          "' is not read; an access point has bssid, x, y, z, name and tx_dbm");
     }
   }
+}
+
+/// Reads the BSSID; adds a problem if it is missing or malformed.
+Bssid readBssid(const YAML::Node& entry, const std::string& where,
+                std::vector<std::string>& problems) {
+  if (!entry["bssid"]) {
+    problems.push_back(where + ": 'bssid' is missing");
+    return {};
+  }
+  std::string text;
+  readScalar(entry["bssid"], text);
+  const std::optional<Bssid> bssid = Bssid::parse(text);
+  if (!bssid) {
+    // rosparam reads YAML 1.1, in which 52:54:00:12:34:56 is a number of base 60.
+    const char* const advice = parseNumber(text) ? ": YAML reads it as a number, so quote it" : "";
+    problems.push_back(where + ": 'bssid' must look like '02:00:00:00:00:01'; it is '" + text +
+                       "'" + advice);
+  }
+  return bssid.value_or(Bssid());
 }
 
 AccessPoint readAccessPoint(const YAML::Node& entry, const std::string& where,
@@ -55,23 +87,17 @@ AccessPoint readAccessPoint(const YAML::Node& entry, const std::string& where,
     problems.push_back(where + ": must be a map with bssid and, if known, x and y");
     return access_point;
   }
-  warnOfUnknownKeys(entry, where, warnings);
-  std::string text;
-  const bool has_bssid = entry["bssid"] && readScalar(entry["bssid"], text);
-  const std::optional<Bssid> bssid = Bssid::parse(text);
-  if (!has_bssid || !bssid) {
-    problems.push_back(where + ": 'bssid' must look like '02:00:00:00:00:01'; it is '" + text +
-                       "'");
-  } else {
-    access_point.bssid = *bssid;
-  }
+  tellUnknownKeys(entry, where, problems, warnings);
+  access_point.bssid = readBssid(entry, where, problems);
   access_point.position_known = entry["x"] || entry["y"];
   if (access_point.position_known) {
-    access_point.position.x() = readNumber(entry, "x", true, where, problems).value_or(0.0);
-    access_point.position.y() = readNumber(entry, "y", true, where, problems).value_or(0.0);
+    access_point.position.x() =
+        readNumber(entry, "x", true, kFarthest, where, problems).value_or(0.0);
+    access_point.position.y() =
+        readNumber(entry, "y", true, kFarthest, where, problems).value_or(0.0);
   }
-  access_point.height_m = readNumber(entry, "z", false, where, problems);
-  access_point.tx_dbm = readNumber(entry, "tx_dbm", false, where, problems);
+  access_point.height_m = readNumber(entry, "z", false, kLargest, where, problems);
+  access_point.tx_dbm = readNumber(entry, "tx_dbm", false, kLargest, where, problems);
   if (entry["name"]) {
     readScalar(entry["name"], access_point.name);
   }
@@ -96,12 +122,19 @@ AccessPointReading accessPointsFromYaml(const YAML::Node& table) {
     }
     reading.access_points.push_back(access_point);
   }
+  if (!problems.empty()) {  // a misspelt key may be the cause
+    problems.insert(problems.end(), reading.warnings.begin(), reading.warnings.end());
+  }
   throwIfAny(problems);
   return reading;
 }
 
 AccessPointReading readAccessPoints(const std::string& file) {
   return readYaml(file, [](const YAML::Node& node) {
+    if (node.IsMap() && !node[kTableKey] && node.size() > 0 && node.begin()->first.IsScalar()) {
+      throw InputError("the key 'access_points' is missing; the file has '" +
+                       node.begin()->first.Scalar() + "'");
+    }
     return accessPointsFromYaml(node.IsMap() ? node[kTableKey] : YAML::Node());
   });
 }

@@ -9,7 +9,10 @@
 namespace sfw {
 namespace {
 
-constexpr char kAccessPointsKey[] = "access_points";
+/// Whether a key beside the groups of settings belongs to the table of access points.
+bool isTable(const std::string& key) {
+  return key == "access_points" || key == "access_points_file";
+}
 
 std::string lastPart(const std::string& name) { return name.substr(name.rfind('/') + 1); }
 
@@ -37,7 +40,7 @@ void SettingsTree::flatten(const YAML::Node& node, const std::string& path) {
       throw InputError("settings must be groups of 'name: value'");
     }
     const std::string& key = entry.first.Scalar();
-    if (!path.empty() || key != kAccessPointsKey) {
+    if (!path.empty() || !isTable(key)) {
       flatten(entry.second, path.empty() ? key : path + "/" + key);
     }
   }

@@ -53,8 +53,13 @@ TEST(AccessPointTable, MustBeAListWithAnEntry) {
 TEST(AccessPointTable, NamesEntryAndFieldOfEachFault) {
   EXPECT_EQ(complaintOf("[" + kGood + ", 5]"),
             "access_points[1]: must be a map with bssid and, if known, x and y");
-  EXPECT_EQ(complaintOf("[{x: 1, y: 2}]"),
-            "access_points[0]: 'bssid' must look like '02:00:00:00:00:01'; it is ''");
+  EXPECT_EQ(complaintOf("[{x: 1, y: 2}]"), "access_points[0]: 'bssid' is missing");
+  EXPECT_EQ(complaintOf("[{bsid: '02:00:00:00:00:01', x: 1, y: 2}]"),
+            "access_points[0]: 'bssid' is missing\naccess_points[0]: 'bsid' is not read; an access "
+            "point has bssid, x, y, z, name and tx_dbm");
+  EXPECT_EQ(complaintOf("[{bssid: 190000000000000, x: 1, y: 2}]"),
+            "access_points[0]: 'bssid' must look like '02:00:00:00:00:01'; it is "
+            "'190000000000000': YAML reads it as a number, so quote it");
   EXPECT_EQ(complaintOf("[{bssid: 2:0:0:0:0:1, x: 1, y: 2}]"),
             "access_points[0]: 'bssid' must look like '02:00:00:00:00:01'; it is '2:0:0:0:0:1'");
   EXPECT_NE(complaintOf("[{bssid: '00:00:00:00:00:00', x: 1, y: 2}]"), "nothing");
@@ -72,15 +77,31 @@ TEST(AccessPointTable, TakesAnAccessPointWithoutPositionToEstimateIt) {
   EXPECT_TRUE(table[1].position_known);
 }
 
+TEST(AccessPointTable, ReadsBssidsWithoutQuotes) {
+  for (const std::string text :
+       {"52:54:00:12:34:56", "525400123456", "5254.0012.3456", "52-54-00-12-34-56"}) {
+    EXPECT_EQ(fromText("[{bssid: " + text + "}]")[0].bssid.str(), "52:54:00:12:34:56") << text;
+  }
+}
+
+TEST(AccessPointTable, TellsOfDecimalCommas) {
+  EXPECT_EQ(complaintOf("[{bssid: '02:00:00:00:00:01', x: 2,6, y: 1}]"),
+            "access_points[0]: '6' follows a comma within a number; write a decimal point");
+  EXPECT_EQ(complaintOf("- bssid: '02:00:00:00:00:01'\n  x: 2,6\n  y: 1\n"),
+            "access_points[0]: 'x' must be a number from -1e8 to 1e8, with a decimal point");
+}
+
 TEST(AccessPointTable, AsksForFiniteNumbers) {
   for (const std::string bad :
-       {".nan", ".inf", "nan", "inf", "-inf", "far", "[1]", "{}", "", "2000000", "1.0 m"}) {
-    const std::string expected = "must be a number from -1e6 to 1e6";
+       {".nan", ".inf", "nan", "inf", "-inf", "far", "[1]", "{}", "", "200000000", "1.0 m"}) {
     for (const std::string key : {"x", "z", "tx_dbm"}) {
       const std::string position = key == "x" ? "y: 1" : "x: 1, y: 1";
       const std::string complaint =
           complaintOf("[{bssid: '02:00:00:00:00:01', " + position + ", " + key + ": " + bad + "}]");
-      EXPECT_EQ(complaint, "access_points[0]: '" + key + "' " + expected) << bad;
+      const std::string limit = key == "x" ? "1e8" : "1e6";
+      EXPECT_EQ(complaint,
+                "access_points[0]: '" + key + "' must be a number from -" + limit + " to " + limit)
+          << bad;
     }
   }
 }
@@ -111,7 +132,7 @@ TEST(AccessPointTable, NamesAllFaultsAtOnce) {
             "access_points[0]: 'bssid' must look like '02:00:00:00:00:01'; it is 'a'\n"
             "access_points[0]: 'y' is missing\n"
             "access_points[1]: 'bssid' must look like '02:00:00:00:00:01'; it is 'b'\n"
-            "access_points[1]: 'y' must be a number from -1e6 to 1e6");
+            "access_points[1]: 'y' must be a number from -1e8 to 1e8");
 }
 
 TEST(AccessPointTable, NamesItsFile) {

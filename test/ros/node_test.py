@@ -4,6 +4,7 @@
 Usage: node_test.py RESULT.xml MAPPING_NODE
 """
 
+import os
 import pathlib
 import signal
 import subprocess
@@ -70,6 +71,34 @@ class Node(unittest.TestCase):
     def test_refuses_access_points_that_no_map_can_hold(self):
         far = {"bssid": "02:00:00:00:00:02", "x": 9e5, "y": 9e5}
         self.refuses({"access_points": TABLE + [far]}, NAME, "map/max_cells")
+
+    def table_file(self, text):
+        path = self.session.folder / "table.yaml"
+        path.write_text(text)
+        return str(path)
+
+    def test_reads_a_file_of_access_points_that_rosparam_cannot_load(self):
+        # Without quotes this is a number of base 60 in YAML 1.1, beyond 32 bits.
+        table = self.table_file("access_points:\n  - {bssid: 52:54:00:12:34:56, x: 1, y: 2}\n")
+        node = self.start({"access_points_file": table})
+        status, _ = self.interrupt(node)
+        self.assertEqual(status, 0)
+        self.assertNotIn("access_points_file", self.session.text_of(node))
+
+    def test_tells_that_the_file_of_access_points_wins(self):
+        table = self.table_file("access_points: [{bssid: 02-00-00-00-00-02, x: 1, y: 2, z0: 3}]\n")
+        node = self.start({"access_points_file": table, "access_points": TABLE})
+        self.interrupt(node)
+        text = self.session.text_of(node)
+        self.assertIn("%s/access_points is not read, since access_points_file is set: %s wins" %
+                      (NAME, table), text)
+        self.assertIn(NAME + "/access_points_file: " + table + ": access_points[0]: 'z0'", text)
+
+    def test_names_a_bad_file_of_access_points(self):
+        self.refuses({"access_points_file": "/nowhere.yaml"}, "/nowhere.yaml: cannot be read")
+        self.refuses({"access_points_file": self.table_file("access_points: 7\n")}, "table.yaml",
+                     "access_points must be a list")
+        self.refuses({"access_points_file": 7.5, "access_points": TABLE}, "7.5: cannot be read")
 
     def test_warns_of_a_misspelt_parameter(self):
         node = self.start({"access_points": TABLE, "k_visibility": {"windw": 5}})
@@ -145,6 +174,13 @@ class LaunchArguments(unittest.TestCase):
         self.assertEqual(parameters["/mapping/ros/map_frame"], "world")
         self.assertEqual(parameters["/mapping/ros/antenna_frame"], "wifi_link")
         self.assertEqual(parameters["/mapping/ros/save_directory"], "/maps")
+
+    def test_name_the_file_of_access_points_by_its_full_path(self):
+        for given, path in (("/a b/table.yaml", "/a b/table.yaml"),
+                            ("table.yaml", "%s/table.yaml" % os.environ["PWD"])):
+            parameters = self.parameters("{}", "access_points:=" + given)
+            self.assertEqual(parameters["/mapping/access_points_file"].strip("'"), path)
+        self.assertNotIn("/mapping/access_points_file", self.parameters("{}"))
 
     def test_are_optional(self):
         for name, required in (("mapping", []), ("demo", []), ("replay", ["access_points", "bag"])):

@@ -66,7 +66,8 @@ struct MappingSettings {
   std::vector<std::string> warnings;  ///< unknown names, each with the nearest known one
 };
 
-/// Reads settings over the defaults. readAccessPoints reads the key `access_points`.
+/// Reads settings over the defaults. accessPointsOfParameters reads the
+/// keys `access_points` and `access_points_file`.
 /// @throw InputError naming every setting of the wrong type and every problem of validate().
 MappingSettings mappingSettingsFromYaml(const YAML::Node& node);
 

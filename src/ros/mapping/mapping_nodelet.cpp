@@ -5,8 +5,8 @@
 #include <pluginlib/class_list_macros.hpp>
 #include <sstream>
 
+#include "ros/conversion/access_point_parameters.h"
 #include "ros/conversion/parameters.h"
-#include "structure_from_wifi/access_points_io.h"
 
 namespace sfw {
 
@@ -60,8 +60,7 @@ void MappingNodelet::loadParameters() {
   }
   config_ = reading.config;
   ros_settings_ = reading.ros;
-  const AccessPointReading table =
-      accessPointsFromYaml(settings.IsMap() ? settings["access_points"] : YAML::Node());
+  const AccessPointReading table = accessPointsOfParameters(settings);
   for (const std::string& warning : table.warnings) {
     NODELET_WARN_STREAM(node.getNamespace() << "/" << warning);
   }

@@ -2,8 +2,8 @@
 
 #include "base/validation.h"
 #include "files/settings_tree.h"
+#include "ros/conversion/access_point_parameters.h"
 #include "simulation/radio/noise_level.h"
-#include "structure_from_wifi/access_points_io.h"
 #include "structure_from_wifi/input_error.h"
 
 namespace sfw {
@@ -98,9 +98,9 @@ SimulatorConfig simulatorConfigFromYaml(const YAML::Node& node) {
   Problems& problems = tree.problems();
   SimulatorConfig config = withNoiseLevel(tree, problems);
   readSettings(tree, config);
-  if (node.IsMap() && node["access_points"]) {
+  if (node.IsMap() && (node["access_points"] || node["access_points_file"])) {
     try {
-      config.access_points = accessPointsFromYaml(node["access_points"]).access_points;
+      config.access_points = accessPointsOfParameters(node).access_points;
       for (const AccessPoint& access_point : config.access_points) {
         if (!access_point.position_known) {
           throw InputError("access_points: " + access_point.bssid.str() +
