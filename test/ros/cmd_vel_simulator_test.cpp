@@ -5,6 +5,7 @@
 #include <nav_msgs/OccupancyGrid.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
+#include <sensor_msgs/LaserScan.h>
 #include <std_msgs/Bool.h>
 #include <structure_from_wifi/WifiScan.h>
 #include <tf2_msgs/TFMessage.h>
@@ -31,6 +32,7 @@ class Cockpit : public testing::Test {
                     node_.subscribe("contact", 100, &Cockpit::receiveContact, this),
                     node_.subscribe("finished", 10, &Cockpit::receiveFinished, this),
                     node_.subscribe("odom", 100, &Cockpit::receiveOdometry, this),
+                    node_.subscribe("scan", 100, &Cockpit::receiveLaserScan, this),
                     node_.subscribe("truth", 1, &Cockpit::receiveTruth, this),
                     node_.subscribe("wifi_scan", 100, &Cockpit::receiveScan, this)};
     ASSERT_TRUE(spinUntil([this] {
@@ -78,6 +80,16 @@ class Cockpit : public testing::Test {
 
   Eigen::Vector2d position() const { return poses_.back().translation(); }
 
+  /// Whether the cell of the truth at a point is free.
+  bool isFree(const Eigen::Vector2d& point) const {
+    const auto& info = truth_->info;
+    const Eigen::Vector2d origin(info.origin.position.x, info.origin.position.y);
+    const Eigen::Vector2d cell = (point - origin) / info.resolution;
+    const bool inside = cell.minCoeff() >= 0.0 && cell.x() < info.width && cell.y() < info.height;
+    return inside && truth_->data[static_cast<std::size_t>(cell.y()) * info.width +
+                                  static_cast<std::size_t>(cell.x())] == 0;
+  }
+
   /// Distance to the nearest cell that is not free [m].
   double clearance() const {
     const double cell_m = truth_->info.resolution;
@@ -98,6 +110,7 @@ class Cockpit : public testing::Test {
   std::vector<bool> finished_;
   std::vector<Eigen::Isometry2d> poses_;  // map_from_base
   std::size_t scans_ = 0;
+  std::vector<sensor_msgs::LaserScan> laser_scans_;
   nav_msgs::Odometry odometry_;
   double fastest_m_s_ = 0.0;  // by odometry
   nav_msgs::OccupancyGridConstPtr truth_;
@@ -118,6 +131,7 @@ class Cockpit : public testing::Test {
     odometry_ = message;
     fastest_m_s_ = std::max(fastest_m_s_, message.twist.twist.linear.x);
   }
+  void receiveLaserScan(const sensor_msgs::LaserScan& message) { laser_scans_.push_back(message); }
   void receiveTruth(const nav_msgs::OccupancyGridConstPtr& message) { truth_ = message; }
   void receiveScan(const structure_from_wifi::WifiScan&) { ++scans_; }
 
@@ -130,6 +144,26 @@ TEST_F(Cockpit, TheRobotStandsAtTheRoutesStartUntilItIsTold) {
   EXPECT_NEAR((position() - Eigen::Vector2d(-0.4, 0.1)).norm(), 0.0, 1e-9);
   EXPECT_EQ(contacts_, std::vector<bool>{false});
   EXPECT_TRUE(spinUntil([this] { return scans_ > 3; })) << "it listens while it stands";
+}
+
+TEST_F(Cockpit, ItsLaserSeesTheWallsOfTheTruth) {
+  ASSERT_TRUE(spinUntil([this] { return laser_scans_.size() > 2; }));
+  const sensor_msgs::LaserScan& scan = laser_scans_.back();
+  ASSERT_EQ(scan.ranges.size(), 720U);
+  EXPECT_EQ(scan.header.frame_id, "base_link");
+  EXPECT_NEAR((scan.header.stamp - laser_scans_.end()[-2].header.stamp).toSec(), 0.2, 1e-6);
+  EXPECT_NEAR(scan.angle_max - scan.angle_min, 719 * scan.angle_increment, 1e-4);
+  EXPECT_EQ(scan.range_max, 1.5F);
+  // Each beam ends on the edge of a cell that is not free, or sees nothing.
+  for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
+    const float bearing = scan.angle_min + static_cast<float>(i) * scan.angle_increment;
+    const Eigen::Vector2d direction(std::cos(bearing), std::sin(bearing));
+    const double range = std::min(scan.ranges[i], scan.range_max);
+    EXPECT_TRUE(isFree(poses_.back() * Eigen::Vector2d((range - 1e-3) * direction))) << i;
+    if (std::isfinite(scan.ranges[i])) {
+      EXPECT_FALSE(isFree(poses_.back() * Eigen::Vector2d((range + 1e-3) * direction))) << i;
+    }
+  }
 }
 
 TEST_F(Cockpit, ItStopsWhenCommandsStop) {

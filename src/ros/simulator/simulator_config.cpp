@@ -44,6 +44,16 @@ void checkDrive(const SimulatorConfig& config, Problems& problems) {
   problems.within("command_timeout", robot.command_timeout_s, 0.0, 3600.0);
 }
 
+void checkLaser(const SimulatorConfig& config, Problems& problems) {
+  problems.within("laser/rate", config.laser.rate_hz, 0.0, 1000.0);
+  problems.within("laser/beams", static_cast<double>(config.laser.beams), 1.0, 10000.0);
+  problems.within("laser/range", config.laser.range_m, 0.1, 100.0);
+  if (config.laser.rate_hz > config.tf_rate_hz) {
+    problems.add(
+        "laser/rate must not exceed tf_rate: each scan is stamped with a transform's time");
+  }
+}
+
 void checkTime(const SimulatorConfig& config, Problems& problems) {
   problems.within("tf_rate", config.tf_rate_hz, 1.0, 1000.0);
   problems.within("scan_rate", config.scan_rate_hz, 0.01, 1000.0);
@@ -113,6 +123,7 @@ SimulatorConfig simulatorConfigFromYaml(const YAML::Node& node) {
   }
   checkBuilding(config, problems);
   checkDrive(config, problems);
+  checkLaser(config, problems);
   checkTime(config, problems);
   checkFrames(config, problems);
   problems.add(validate(config.signals));

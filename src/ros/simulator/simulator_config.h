@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "simulation/building/building_source.h"
+#include "simulation/robot/laser.h"
 #include "simulation/robot/simulated_robot.h"
 #include "simulation/simulated_recording.h"
 
@@ -25,6 +26,8 @@ struct SimulatorConfig {
   std::string drive = "route";  ///< or "cmd_vel"
   /// Its speed and yaw rate are those of a route, and the limits of commands.
   SimulatedRobot::Config robot;
+
+  LaserConfig laser;
 
   double scan_rate_hz = 5.0;    ///< [Hz], simulated time
   double tf_rate_hz = 20.0;     ///< [Hz], simulated time
@@ -66,6 +69,9 @@ void forEachSimulatorSetting(AnyConfig& config, Visitor&& visit) {
   visit("acceleration", config.robot.acceleration_m_s2);
   visit("yaw_acceleration", config.robot.yaw_acceleration_rad_s2);
   visit("command_timeout", config.robot.command_timeout_s);
+  visit("laser/rate", config.laser.rate_hz);
+  visit("laser/beams", config.laser.beams);
+  visit("laser/range", config.laser.range_m);
   visit("scan_rate", config.scan_rate_hz);
   visit("tf_rate", config.tf_rate_hz);
   visit("publish_clock", config.publish_clock);

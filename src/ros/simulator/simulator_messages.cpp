@@ -55,6 +55,18 @@ nav_msgs::Odometry odometryMessage(const geometry_msgs::TransformStamped& before
   return odometry;
 }
 
+sensor_msgs::LaserScan laserMessage(const Grid<CellState>& plan, const RobotPose& pose,
+                                    const LaserConfig& config) {
+  sensor_msgs::LaserScan scan;
+  const std::vector<double> ranges = laserRanges(plan, pose, config);
+  scan.ranges.assign(ranges.begin(), ranges.end());
+  scan.angle_min = static_cast<float>(beamBearing(config, 0));
+  scan.angle_max = static_cast<float>(beamBearing(config, config.beams - 1));
+  scan.angle_increment = static_cast<float>(2.0 * kPi / static_cast<double>(config.beams));
+  scan.range_max = static_cast<float>(config.range_m);
+  return scan;
+}
+
 structure_from_wifi::WifiScan scanMessage(const RadioModel& radio, const RobotPose& pose,
                                           std::uint64_t sample) {
   structure_from_wifi::WifiScan scan;

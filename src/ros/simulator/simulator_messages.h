@@ -3,6 +3,7 @@
 #include <geometry_msgs/TransformStamped.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/time.h>
+#include <sensor_msgs/LaserScan.h>
 #include <std_msgs/Bool.h>
 #include <structure_from_wifi/WifiScan.h>
 
@@ -35,7 +36,12 @@ std::vector<geometry_msgs::TransformStamped> transformMessages(const SimulatorCo
 nav_msgs::Odometry odometryMessage(const geometry_msgs::TransformStamped& before,
                                    const geometry_msgs::TransformStamped& now);
 
-/// A scan at the robot's true pose.
+/// What a laser scanner sees at the robot's true pose; infinity where nothing is in range.
+/// @param pose  true pose, map frame
+sensor_msgs::LaserScan laserMessage(const Grid<CellState>& plan, const RobotPose& pose,
+                                    const LaserConfig& config);
+
+/// A scan of the radio at the robot's true pose.
 /// @param pose    true pose, map frame
 /// @param sample  number of the scan
 structure_from_wifi::WifiScan scanMessage(const RadioModel& radio, const RobotPose& pose,

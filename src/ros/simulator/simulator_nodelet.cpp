@@ -4,6 +4,7 @@
 #include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
 #include <rosgraph_msgs/Clock.h>
+#include <sensor_msgs/LaserScan.h>
 #include <std_msgs/Bool.h>
 #include <structure_from_wifi/WifiScan.h>
 
@@ -30,6 +31,11 @@ constexpr std::chrono::milliseconds kSettle{1000};
 /// Share of a scan's period by which a scan may be early, so that rounding does not delay it by a
 /// step.
 constexpr double kRounding = 1e-9;
+
+/// Whether the next scan is due at a time, after a number of scans.
+bool isDue(double time_s, double rate_hz, std::uint64_t scans) {
+  return time_s * rate_hz >= static_cast<double>(scans) - kRounding;
+}
 
 }  // namespace
 
@@ -108,6 +114,9 @@ void SimulatorNodelet::advertise() {
   truth_publisher_ = node.advertise<nav_msgs::OccupancyGrid>("truth", 1, kLatched);
   contact_publisher_ = node.advertise<std_msgs::Bool>("contact", kQueue, kLatched);
   finished_publisher_ = node.advertise<std_msgs::Bool>("finished", 1, kLatched);
+  if (config_.laser.rate_hz > 0.0) {
+    laser_publisher_ = node.advertise<sensor_msgs::LaserScan>("scan", kQueue);
+  }
   scan_publisher_ = node.advertise<structure_from_wifi::WifiScan>("wifi_scan", kQueue);
   std_msgs::Header header;
   header.frame_id = config_.map_frame;
@@ -172,6 +181,10 @@ void SimulatorNodelet::sendStep(std::int64_t step) {
     contact_ = contact;
     contact_publisher_.publish(boolMessage(contact));
   }
+  const double sent_s = static_cast<double>(step) / config_.tf_rate_hz;
+  if (laser_publisher_ && isDue(sent_s, config_.laser.rate_hz, laser_scans_)) {
+    sendLaserScan(stamp, pose);
+  }
   if (!departure_ || finished_) {
     return;
   }
@@ -180,7 +193,7 @@ void SimulatorNodelet::sendStep(std::int64_t step) {
     // The drive ends at least a step after the last scan, so transforms before and after the scan
     // are sent.
     finish();
-  } else if (driven_s * config_.scan_rate_hz >= static_cast<double>(scans_) - kRounding) {
+  } else if (isDue(driven_s, config_.scan_rate_hz, scans_)) {
     sendScan(stamp, pose);
   }
 }
@@ -226,6 +239,14 @@ void SimulatorNodelet::sendScan(const ros::Time& stamp, const RobotPose& pose) {
   scan.header.frame_id = config_.base_frame;
   scan_publisher_.publish(scan);
   ++scans_;
+}
+
+void SimulatorNodelet::sendLaserScan(const ros::Time& stamp, const RobotPose& pose) {
+  sensor_msgs::LaserScan scan = laserMessage(*plan_, pose, config_.laser);
+  scan.header.stamp = stamp;
+  scan.header.frame_id = config_.base_frame;
+  laser_publisher_.publish(scan);
+  ++laser_scans_;
 }
 
 bool SimulatorNodelet::mayDepart() {

@@ -24,9 +24,10 @@ namespace sfw {
 /// Simulates a robot that drives through a floor plan and receives its access points.
 ///
 /// The nodelet publishes tf (map -> odom -> base), `wifi_scan`, `truth` (the plan, latched),
-/// `contact` and `finished` (std_msgs/Bool, latched, at each change) and, with `publish_clock`,
-/// /clock. Each step sends the clock, then transforms, then the scan if one is due. So a scan has
-/// the stamp of transforms that were sent before it; the next transforms follow a step later.
+/// `contact` and `finished` (std_msgs/Bool, latched, at each change), if asked a laser `scan`, and,
+/// with `publish_clock`, /clock. Each step sends the clock, then transforms, then the scan if one
+/// is due. So a scan has the stamp of transforms that were sent before it; the next transforms
+/// follow a step later.
 ///
 /// A drive along a route starts when a node subscribes to the scans. Scans end with the drive;
 /// clock and tf continue. With `drive` cmd_vel the robot obeys `cmd_vel` (geometry_msgs/Twist:
@@ -63,6 +64,7 @@ class SimulatorNodelet : public nodelet::Nodelet {
   void obeyCommands();
 
   void sendScan(const ros::Time& stamp, const RobotPose& pose);
+  void sendLaserScan(const ros::Time& stamp, const RobotPose& pose);
   void finish();
 
   /// The time since the start of the drive [s].
@@ -80,6 +82,7 @@ class SimulatorNodelet : public nodelet::Nodelet {
 
   ros::Publisher clock_publisher_;
   ros::Publisher scan_publisher_;
+  ros::Publisher laser_publisher_;  // unused without a laser
   ros::Publisher odometry_publisher_;
   ros::Publisher truth_publisher_;
   ros::Publisher contact_publisher_;
@@ -92,6 +95,7 @@ class SimulatorNodelet : public nodelet::Nodelet {
   WallClock::time_point deadline_;         // the drive starts then at the latest
   std::optional<std::int64_t> departure_;  // the step at which it did start
   std::uint64_t scans_ = 0;                // sent so far
+  std::uint64_t laser_scans_ = 0;          // sent so far
   double driven_m_ = 0.0;
   bool contact_ = false;
   bool finished_ = false;

@@ -7,6 +7,7 @@
 
 #include "base/constants.h"
 #include "base/validation.h"
+#include "simulation/robot/box_entry.h"
 #include "structure_from_wifi/input_error.h"
 
 namespace sfw {
@@ -39,30 +40,6 @@ double entryIntoDisc(const Position& from, const Position& direction, const Posi
     return kInfinity;
   }
   return along - std::sqrt(half_chord_squared);
-}
-
-/// The distance along a ray at which it enters a rectangle; infinity if it never does.
-double entryIntoBox(const Position& from, const Position& direction, const Box& box) {
-  double entry = -kInfinity;
-  double exit = kInfinity;
-  for (int axis = 0; axis < 2; ++axis) {
-    const double low = box.min()[axis] - from[axis];
-    const double high = box.max()[axis] - from[axis];
-    if (direction[axis] == 0.0) {
-      if (low >= 0.0 || high <= 0.0) {
-        return kInfinity;
-      }
-      continue;
-    }
-    const double a = low / direction[axis];
-    const double b = high / direction[axis];
-    entry = std::max(entry, std::min(a, b));
-    exit = std::min(exit, std::max(a, b));
-  }
-  if (entry < exit && exit > 0.0) {
-    return entry;
-  }
-  return kInfinity;
 }
 
 Position nearestPoint(const Box& box, const Position& point) {
