@@ -59,9 +59,7 @@ class NodeletWorld : public testing::Test {
     transforms_ = node.advertise<tf2_msgs::TFMessage>("/tf", 1000);
     scans_ = node.advertise<structure_from_wifi::WifiScan>(name_ + "/wifi_scan", 10000);
     map_subscriber_ = node.subscribe<nav_msgs::OccupancyGrid>(
-        name_ + "/map", 100, [this](const nav_msgs::OccupancyGridConstPtr& map) {
-          map_ = map;
-        });
+        name_ + "/map", 100, [this](const nav_msgs::OccupancyGridConstPtr& map) { map_ = map; });
     consumers_.emplace(ros::NodeHandle(name_));
   }
 

@@ -99,7 +99,8 @@ Conversion convertContactPoints(const sensor_msgs::PointCloud2& cloud,
                                 const InputContext& context) {
   constexpr double kFarthestM = 2.0;
   try {
-    const UnlocatedContacts contacts{withoutSlash(cloud.header.frame_id), nearPoints(cloud, kFarthestM)};
+    const UnlocatedContacts contacts{withoutSlash(cloud.header.frame_id),
+                                     nearPoints(cloud, kFarthestM)};
     Conversion conversion{{{stampOr(cloud.header.stamp, context.received), contacts}}};
     if (contacts.frame != cloud.header.frame_id) {
       conversion.problem = "frames of tf2 have no leading slash; '" + cloud.header.frame_id +
