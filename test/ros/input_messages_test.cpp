@@ -165,6 +165,13 @@ TEST(InputMessages, TakeTheNearPointsOfACloud) {
   EXPECT_EQ(contacts.points[0], Eigen::Vector3d(0.5, -0.25, 0.125));
 }
 
+TEST(InputMessages, TakeAnEmptyCloudOfManyRowsAtOnce) {
+  sensor_msgs::PointCloud2 cloud = bumperCloud();
+  cloud.width = 0;
+  cloud.height = 4294967295U;
+  EXPECT_EQ(convertContactPoints(cloud, kContext).rejected, 0U);
+}
+
 TEST(InputMessages, RejectACloudWhoseSizesContradictItsData) {
   const std::vector<std::function<void(sensor_msgs::PointCloud2&)>> faults{
       [](auto& cloud) { cloud.data.pop_back(); },

@@ -43,21 +43,17 @@ std::vector<Eigen::Vector3d> nearPoints(const sensor_msgs::PointCloud2& cloud, d
   if (cloud.is_bigendian != 0) {
     throw std::runtime_error("its numbers are big-endian");
   }
-  // The whole number of points keeps the product of three 32-bit numbers out of the comparison.
-  if (std::size_t{cloud.width} * cloud.height > cloud.data.size() / cloud.point_step) {
+  const std::size_t count = std::size_t{cloud.width} * cloud.height;
+  if (count > cloud.data.size() / cloud.point_step) {  // a product of all three would overflow
     throw std::runtime_error("it has less data than width, height and point_step say");
   }
   std::vector<Eigen::Vector3d> points;
-  for (std::size_t row = 0; row < cloud.height; ++row) {
-    for (std::size_t column = 0; column < cloud.width; ++column) {
-      const std::uint8_t* bytes =
-          cloud.data.data() + (row * cloud.width + column) * cloud.point_step;
-      const Eigen::Vector3d point(coordinateAt(bytes + offsets[0]),
-                                  coordinateAt(bytes + offsets[1]),
-                                  coordinateAt(bytes + offsets[2]));
-      if (point.allFinite() && point.norm() <= farthest_m) {
-        points.push_back(point);
-      }
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint8_t* bytes = cloud.data.data() + i * cloud.point_step;
+    const Eigen::Vector3d point(coordinateAt(bytes + offsets[0]), coordinateAt(bytes + offsets[1]),
+                                coordinateAt(bytes + offsets[2]));
+    if (point.allFinite() && point.norm() <= farthest_m) {
+      points.push_back(point);
     }
   }
   return points;
