@@ -25,7 +25,7 @@ void feed(std::string_view input) {
   folder.write("contacts.csv", files[1]);
   folder.write("access_points.yaml", files[2]);
   Config config;
-  config.map.max_cells = 100'000;
+  config.map.max_cells = 400'000;
   AccessPoint known;
   known.bssid = *Bssid::parse("02:00:00:00:00:01");
   SharedMapper mapper(config, {known}, jumpTolerance({}));
