@@ -60,7 +60,6 @@ class NodeletWorld : public testing::Test {
     scans_ = node.advertise<structure_from_wifi::WifiScan>(name_ + "/wifi_scan", 10000);
     map_subscriber_ = node.subscribe<nav_msgs::OccupancyGrid>(
         name_ + "/map", 100, [this](const nav_msgs::OccupancyGridConstPtr& map) { map_ = map; });
-    consumers_.emplace(ros::NodeHandle(name_));
   }
 
   void TearDown() override {
@@ -73,6 +72,7 @@ class NodeletWorld : public testing::Test {
 
   /// Loads the nodelet and waits until it hears scans and transforms.
   void load() {
+    consumers_.emplace(ros::NodeHandle(name_));  // a new nodelet may begin with another geometry
     ASSERT_TRUE(loader_.load(name_ + "/mapping", "structure_from_wifi/MappingNodelet", {}, {}));
     ASSERT_TRUE(spinUntil(
         [&] { return transforms_.getNumSubscribers() > 0 && scans_.getNumSubscribers() > 0; },
