@@ -27,6 +27,7 @@ struct RosSettings {
   std::string save_directory = "~/.ros/structure_from_wifi";  ///< of ~save_map
   double autosave_period_s = 60.0;                            ///< of saving the session; 0: never
   bool resume = false;                                        ///< go on with the session saved last
+  bool resume_after_respawn = false;  ///< go on with this session if the process starts again
   std::string on_time_jump = "keep";  ///< the map when the clock jumps back: or "reset"
   double max_tilt_rad = 0.35;         ///< of the antenna against its first pose, before a warning
   double max_speed_m_s = 0.0;         ///< readings that come faster are dropped; 0: none are
@@ -48,6 +49,7 @@ void forEachRosSetting(AnySettings& settings, Visitor&& visit) {
   visit("ros/save_directory", settings.save_directory);
   visit("ros/autosave_period", settings.autosave_period_s);
   visit("ros/resume", settings.resume);
+  visit("ros/resume_after_respawn", settings.resume_after_respawn);
   visit("ros/on_time_jump", settings.on_time_jump);
   visit("ros/max_tilt", settings.max_tilt_rad);
   visit("ros/max_speed", settings.max_speed_m_s);

@@ -120,6 +120,9 @@ void MappingNodelet::resumeOnce() {
   warnOfOtherMappers();  // that started at the same time
   next_autosave_ = ros::SteadyTime::now() + ros::WallDuration(ros_settings_.autosave_period_s);
   const std::string directory = autosaveDirectory();
+  if (ros_settings_.resume_after_respawn) {
+    getPrivateNodeHandle().setParam("ros/resume", true);  // for the next process
+  }
   if (!ros_settings_.resume) {
     return;
   }
