@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <thread>
 
@@ -60,30 +59,6 @@ TEST_F(MappingNodeletTest, UnloadsWithinASecondWhileTheClockStandsStill) {
   }
   ros::WallDuration(0.2).sleep();
   EXPECT_LT(secondsToUnload(), 1.0);
-}
-
-TEST_F(MappingNodeletTest, LeavesNothingBehindWhenLoadedAgainAndAgain) {
-  const auto descriptors = [] {
-    const std::filesystem::directory_iterator open("/proc/self/fd");
-    return std::distance(begin(open), end(open));
-  };
-  const auto threads = [] {
-    const std::filesystem::directory_iterator running("/proc/self/task");
-    return std::distance(begin(running), end(running));
-  };
-  std::ptrdiff_t open = 0, running = 0;
-  for (int i = 0; i < 8; ++i) {
-    load();
-    sendPose(i, 0.0, 0.0);
-    sendScan(i, {{kNear, -50.0F}});
-    secondsToUnload();
-    if (i == 1) {
-      open = descriptors();
-      running = threads();
-    }
-  }
-  EXPECT_LE(descriptors(), open + 2);
-  EXPECT_LE(threads(), running + 1);
 }
 
 TEST_F(MappingNodeletTest, DropsWhatIsNoSignal) {

@@ -102,6 +102,16 @@ TEST_F(NodeletFaultsTest, AClockThatJumpsBackResetsTheMapIfAsked) {
   EXPECT_TRUE(mapAppears()) << "publishing goes on";
 }
 
+TEST_F(NodeletFaultsTest, EmptyScansChangeNothingAndAreNamed) {
+  load();
+  sendPose(0.0, 1.0, 2.0);
+  for (int i = 0; i < 10; ++i) {
+    sendScan(0.1 * i, {});
+  }
+  EXPECT_TRUE(hears("map", diagnostic_msgs::DiagnosticStatus::WARN, "its scans are empty"));
+  EXPECT_FALSE(save("nothing").success);
+}
+
 TEST_F(NodeletFaultsTest, TransformsThatAreNoneGiveNoPosition) {
   load();
   geometry_msgs::Transform broken = tilted(1.0, 0.0);
