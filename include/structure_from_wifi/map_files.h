@@ -28,17 +28,20 @@ SFW_EXPORT std::string probabilityPng(const BeliefMap& belief);
 SFW_EXPORT void writeMapFiles(const Snapshot& snapshot, const Config& config,
                               const std::string& directory, const DataFindings& findings = {});
 
-/// Writes readings.csv, contacts.csv and access_points.yaml. `sfw map` makes the same map from
-/// them.
+/// Writes readings.csv, contacts.csv, path.csv and access_points.yaml. `sfw map` makes the same map
+/// from them.
+/// @param path  the poses between readings
 /// @throw as writeMapFiles
 /// @{
 SFW_EXPORT void writeRecording(const std::vector<Reading>& readings,
                                const std::vector<Contact>& contacts,
                                const std::vector<AccessPoint>& access_points,
-                               const std::string& directory);
+                               const std::string& directory,
+                               const std::vector<PathPose>& path = {});
 SFW_EXPORT void writeRecording(const std::vector<Reading>& readings,
                                const std::vector<Contact>& contacts, const Snapshot& snapshot,
-                               const std::string& directory);
+                               const std::string& directory,
+                               const std::vector<PathPose>& path = {});
 /// @}
 
 }  // namespace sfw

@@ -51,6 +51,14 @@ class SFW_EXPORT Mapper {
   InsertResult insert(const Contact& contact);
   /// @}
 
+  /// Adds a pose of the path between readings.
+  ///
+  /// A pose counts where it lies between two readings in time, and 0.1 m from them and from the
+  /// poses kept before it. So it fills the gaps of a slow scanner, and readings that are dense give
+  /// the same map without poses. The cost is that of insert(). A pose that is rejected is not
+  /// counted.
+  InsertResult insertPose(std::int64_t stamp_ns, const Position& antenna_in_map);
+
   /// Counts readings that were rejected before insertion, for the report.
   /// @param reason  in words
   /// @param count   number of readings
@@ -59,8 +67,8 @@ class SFW_EXPORT Mapper {
   /// Tells what is wrong with transforms, for the notes. It replaces what was told before.
   void recordFrames(const FrameFinding& frames);
 
-  /// Moves all readings and contacts by the correction of a localisation. A reading or contact is
-  /// dropped and counted if its new position does not fit the map. O(readings log corrections).
+  /// Moves readings, contacts and poses by the correction of a localisation. A reading or contact
+  /// is dropped and counted if its new position does not fit the map. O(readings log corrections).
   void correct(const PathCorrection& correction);
 
   /// The extent of access points, path, contacts and the boxes of growTo() [m], without the map's
@@ -73,8 +81,8 @@ class SFW_EXPORT Mapper {
   /// Forgets readings, path and contacts; the geometry stays.
   void reset();
 
-  /// Forgets every reading and contact for which a test of its stamp [ns] and position [m] is true.
-  /// The geometry stays. O(readings log readings).
+  /// Forgets every reading, contact and pose for which a test of its stamp [ns] and position [m] is
+  /// true. The geometry stays. O(readings log readings).
   /// @return the number of readings and of contacts
   std::pair<std::size_t, std::size_t> forget(
       const std::function<bool(std::int64_t, const Position&)>& test);
@@ -95,6 +103,9 @@ class SFW_EXPORT Mapper {
 
   /// Every contact, in order of arrival.
   const std::vector<Contact>& contacts() const;
+
+  /// The poses of insertPose, by stamp. With them, files give the same map again.
+  std::vector<PathPose> poses() const;
 
   /// The readings and contacts that no map uses.
   const Rejections& rejections() const;

@@ -36,6 +36,10 @@ SFW_EXPORT ReadingFile readReadings(const std::string& file, const std::string& 
 /// @throw InputError as readReadings, naming the line of the first unusable row.
 SFW_EXPORT std::vector<Contact> readContacts(const std::string& file);
 
+/// Reads a CSV of poses of the path between readings, with the columns stamp, x, y.
+/// @throw InputError as readContacts.
+SFW_EXPORT std::vector<PathPose> readPath(const std::string& file);
+
 /// Reads a CSV of way points with the columns x, y (metres, map frame), in driving order.
 /// @throw InputError as readContacts.
 SFW_EXPORT std::vector<Position> readWayPoints(const std::string& file);
@@ -45,5 +49,8 @@ SFW_EXPORT std::string readingsCsv(const std::vector<Reading>& readings);
 
 /// Formats a CSV. readContacts reads the text back to the same contacts.
 SFW_EXPORT std::string contactsCsv(const std::vector<Contact>& contacts);
+
+/// Formats a CSV. readPath reads the text back to the same poses.
+SFW_EXPORT std::string pathCsv(const std::vector<PathPose>& path);
 
 }  // namespace sfw

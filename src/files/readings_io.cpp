@@ -12,6 +12,21 @@
 namespace sfw {
 namespace {
 
+/// Reads a table of the columns stamp, x, y.
+/// @throw InputError naming the line of the first unusable row.
+template <class Visitor>
+void forEachPlace(const std::string& file, const Visitor& visit) {
+  CsvTable table(file, placeColumns());
+  while (table.next()) {
+    std::int64_t stamp_ns = 0;
+    Position position = Position::Zero();
+    if (const auto fault = readPlace(table, stamp_ns, position)) {
+      throw unusable(table, *fault);
+    }
+    visit(stamp_ns, position);
+  }
+}
+
 /// "stamp,x,y", to the nanosecond and to Mapper's 0.1 mm.
 std::string placeCsv(std::int64_t stamp_ns, const Position& position) {
   constexpr std::int64_t kSecond = 1000000000;
@@ -55,16 +70,19 @@ ReadingFile readReadings(const std::string& file, const std::string& poses) {
 }
 
 std::vector<Contact> readContacts(const std::string& file) {
-  CsvTable table(file, placeColumns());
   std::vector<Contact> contacts;
-  while (table.next()) {
-    Contact contact;
-    if (const auto fault = readPlace(table, contact.stamp_ns, contact.point_in_map)) {
-      throw unusable(table, *fault);
-    }
-    contacts.push_back(contact);
-  }
+  forEachPlace(file, [&](std::int64_t stamp_ns, const Position& position) {
+    contacts.push_back({stamp_ns, position});
+  });
   return contacts;
+}
+
+std::vector<PathPose> readPath(const std::string& file) {
+  std::vector<PathPose> path;
+  forEachPlace(file, [&](std::int64_t stamp_ns, const Position& position) {
+    path.push_back({stamp_ns, position, PathPose::kNoWallCount});
+  });
+  return path;
 }
 
 std::vector<Position> readWayPoints(const std::string& file) {
@@ -97,6 +115,14 @@ std::string contactsCsv(const std::vector<Contact>& contacts) {
   std::string text = "stamp,x,y\n";
   for (const Contact& contact : contacts) {
     text += placeCsv(contact.stamp_ns, contact.point_in_map) + "\n";
+  }
+  return text;
+}
+
+std::string pathCsv(const std::vector<PathPose>& path) {
+  std::string text = "stamp,x,y\n";
+  for (const PathPose& pose : path) {
+    text += placeCsv(pose.stamp_ns, pose.antenna_in_map) + "\n";
   }
   return text;
 }

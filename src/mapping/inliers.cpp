@@ -7,6 +7,7 @@
 #include "base/erase_if.h"
 #include "checks/sentinel_checks.h"
 #include "grid/segment.h"
+#include "path/poses_between.h"
 #include "path/stray_poses.h"
 
 namespace sfw {
@@ -31,34 +32,23 @@ std::size_t countStampedAlike(const std::vector<Reading>& sorted) {
   return count;
 }
 
-auto order(const PathPose& pose) {
-  return std::make_tuple(pose.stamp_ns, pose.antenna_in_map.x(), pose.antenna_in_map.y());
-}
-
-bool earlier(const PathPose& a, const PathPose& b) { return order(a) < order(b); }
-
 PathPose poseOf(const Reading& reading) {
   return {reading.stamp_ns, reading.antenna_in_map, PathPose::kNoWallCount};
 }
 
-/// Every pose once, in the order driven.
 std::vector<PathPose> pathOf(const std::vector<Reading>& readings) {
   std::vector<PathPose> path;
   path.reserve(readings.size());
   for (const Reading& reading : readings) {
     path.push_back(poseOf(reading));
   }
-  std::sort(path.begin(), path.end(), earlier);
-  path.erase(std::unique(path.begin(), path.end(),
-                         [](const PathPose& a, const PathPose& b) { return order(a) == order(b); }),
-             path.end());
-  return path;
+  return sortedPath(std::move(path));
 }
 
 /// The index of a reading's pose in the path that pathOf made.
 std::size_t poseIndex(const Reading& reading, const std::vector<PathPose>& path) {
   return static_cast<std::size_t>(
-      std::lower_bound(path.begin(), path.end(), poseOf(reading), earlier) - path.begin());
+      std::lower_bound(path.begin(), path.end(), poseOf(reading), isEarlier) - path.begin());
 }
 
 /// The index of the pose that is nearest in time.
@@ -191,7 +181,8 @@ std::vector<Reading> strongestOfEachStamp(std::vector<Reading> sorted) {
 }
 
 Inliers withoutStrayPoses(std::vector<Reading> sorted, std::vector<Contact> contacts,
-                          const std::map<Bssid, std::size_t>& index_of) {
+                          const std::map<Bssid, std::size_t>& index_of,
+                          const std::vector<PathPose>& poses) {
   Inliers inliers;
   inliers.stamped_alike = countStampedAlike(sorted);
   std::vector<Reading> readings = strongestOfEachStamp(std::move(sorted));
@@ -199,10 +190,13 @@ Inliers withoutStrayPoses(std::vector<Reading> sorted, std::vector<Contact> cont
   inliers.path = pathOf(readings);
   const std::vector<bool> stray = strayPoses(inliers.path);
   inliers.stray = summaryOf(inliers.path, stray);
+  const std::vector<PathPose> between = posesBetween(inliers.path, stray, sortedPath(poses));
   if (inliers.stray.count > 0) {
     removeStray(stray, readings, inliers.contacts, inliers.path);
   }
   inliers.motion = motionOf(inliers.path);
+  inliers.path.insert(inliers.path.end(), between.begin(), between.end());
+  inliers.path = sortedPath(std::move(inliers.path));
   inliers.readings = byAccessPoint(readings, inliers.path, index_of);
   return inliers;
 }

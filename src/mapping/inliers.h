@@ -29,9 +29,11 @@ struct Inliers {
 /// radio at each stamp.
 /// @param sorted    all readings, as sortedByStamp returns them
 /// @param index_of  the index of each access point in the table; readings of others only add poses
-/// O(readings log readings).
+/// @param poses     of the path between readings, in any order; posesBetween selects from them
+/// O(n log n) for n readings and poses.
 Inliers withoutStrayPoses(std::vector<Reading> sorted, std::vector<Contact> contacts,
-                          const std::map<Bssid, std::size_t>& index_of);
+                          const std::map<Bssid, std::size_t>& index_of,
+                          const std::vector<PathPose>& poses = {});
 
 /// Removes the contacts over which the robot drove later: nothing stands there any more.
 /// @param path       in the order driven

@@ -107,6 +107,9 @@ void Mapper::configure(const Config& config) {
 
 InsertResult Mapper::insert(const Reading& reading) { return store_->insert(reading); }
 InsertResult Mapper::insert(const Contact& contact) { return store_->insert(contact); }
+InsertResult Mapper::insertPose(std::int64_t stamp_ns, const Position& antenna_in_map) {
+  return store_->insertPose(stamp_ns, antenna_in_map);
+}
 
 void Mapper::recordRejected(const std::string& reason, std::size_t count) {
   store_->recordRejected(reason, count);
@@ -129,6 +132,7 @@ void Mapper::setAccessPoints(const std::vector<AccessPoint>& access_points) {
 GridGeometry Mapper::geometry() const { return store_->geometryOf(extent()); }
 std::vector<Reading> Mapper::readings() const { return store_->readings(); }
 const std::vector<Contact>& Mapper::contacts() const { return store_->contacts(); }
+std::vector<PathPose> Mapper::poses() const { return store_->poses(); }
 const Rejections& Mapper::rejections() const { return store_->rejections(); }
 
 std::shared_ptr<const Snapshot> Mapper::infer() const {

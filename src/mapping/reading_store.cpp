@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include "base/erase_if.h"
-#include "base/map_too_large.h"
+#include "path/poses_between.h"
 #include "structure_from_wifi/input_error.h"
 
 namespace sfw {
@@ -24,80 +23,10 @@ Position rounded(const Position& point) {
   return {rounded(point.x(), kPositionSteps), rounded(point.y(), kPositionSteps)};
 }
 
-Box withMargin(const Box& extent, double margin_m) {
-  const Position margin(margin_m, margin_m);
-  return {extent.min() - margin, extent.max() + margin};
-}
-
-GridGeometry geometryAround(const Box& extent, const Config::Map& config) {
-  return GridGeometry::covering(withMargin(extent, config.margin_m), config.resolution_m,
-                                config.growth_step_m, config.max_cells);
-}
-
-Box extentOf(const std::vector<AccessPoint>& access_points) {
-  Box box;
-  for (const AccessPoint& access_point : access_points) {
-    if (access_point.position_known) {
-      box.extend(access_point.position);
-    }
-  }
-  if (box.isEmpty()) {
-    box.extend(Position::Zero());  // a map needs a position before the first reading
-  }
-  return box;
-}
-
-/// The extent of a map without readings.
-/// @throw InputError if the table is empty, or no map can hold its positions.
-Box leastExtent(const Config::Map& config, const std::vector<AccessPoint>& access_points) {
-  if (access_points.empty()) {
-    throw InputError("access_points must hold at least one access point");
-  }
-  for (const AccessPoint& access_point : access_points) {
-    if (!access_point.position.allFinite()) {
-      throw InputError("access_points: the position of " + access_point.bssid.str() +
-                       " must be finite");
-    }
-  }
-  const Box extent = extentOf(access_points);
-  try {
-    geometryAround(extent, config);
-  } catch (const std::invalid_argument& error) {
-    throw InputError("no map can hold the access points: " + std::string(error.what()) +
-                     "; correct their positions, or raise map/max_cells (" +
-                     std::to_string(config.max_cells) +
-                     "), raise map/resolution, or lower map/growth_step");
-  }
-  return extent;
-}
-
 }  // namespace
 
-const char* toString(InsertResult result) {
-  switch (result) {
-    case InsertResult::kAccepted:
-      return "accepted";
-    case InsertResult::kPositionNotFinite:
-      return "position is not finite";
-    case InsertResult::kPositionTooFar:
-      return "position is so far away that the map would exceed map/max_cells";
-    case InsertResult::kRssiNotFinite:
-      return "rssi_dbm is not finite";
-    case InsertResult::kRssiOutOfRange:
-      return "rssi_dbm is not in (-120, 0] (a percentage, or an inaudible radio?)";
-    case InsertResult::kUnknownAccessPoint:
-      return "bssid is not in the table of access points";
-    case InsertResult::kTooManyReadings:
-      return "map/max_readings is reached";
-  }
-  return "";
-}
-
 ReadingStore::ReadingStore(const Config::Map& config, const std::vector<AccessPoint>& access_points)
-    : config_(config),
-      least_extent_(leastExtent(config, access_points)),
-      reserved_extent_(least_extent_) {
-  table_ = makeTable(access_points);
+    : config_(config), extent_(config, access_points), table_(makeTable(access_points)) {
   heard_.assign(access_points.size(), 0);
 }
 
@@ -112,35 +41,8 @@ std::shared_ptr<const ReadingStore::Table> ReadingStore::makeTable(
   return std::make_shared<const Table>(std::move(table));
 }
 
-bool ReadingStore::fits(const Box& extent) const {
-  return GridGeometry::canCover(withMargin(extent, config_.margin_m), config_.resolution_m,
-                                config_.growth_step_m, config_.max_cells);
-}
-
-InsertResult ReadingStore::reserve(const Position& point) {
-  if (!point.allFinite()) {
-    return InsertResult::kPositionNotFinite;
-  }
-  if (!reserved_extent_.contains(point)) {
-    const Box extent = reserved_extent_.merged(Box(point));
-    if (!fits(extent)) {
-      return InsertResult::kPositionTooFar;
-    }
-    reserved_extent_ = extent;
-  }
-  return InsertResult::kAccepted;
-}
-
 InsertResult ReadingStore::makeRoomFor(const Position& point) {
-  InsertResult result = reserve(point);
-  if (result == InsertResult::kPositionTooFar && holds_stray_room_) {
-    reserved_extent_ = extentOf(inliers());
-    holds_stray_room_ = false;
-    result = reserve(point);
-  }
-  // The point may be stray itself, or make other poses stray.
-  holds_stray_room_ = holds_stray_room_ || result == InsertResult::kAccepted;
-  return result;
+  return extent_.makeRoomFor(point, [this] { return extentOf(inliers()); });
 }
 
 InsertResult ReadingStore::insert(const Reading& reading) {
@@ -214,6 +116,16 @@ InsertResult ReadingStore::insert(const Contact& contact) {
   return result;
 }
 
+InsertResult ReadingStore::insertPose(std::int64_t stamp_ns, const Position& antenna_in_map) {
+  const Position position = rounded(antenna_in_map);
+  const bool full = poses_.size() >= static_cast<std::size_t>(config_.max_readings);
+  const InsertResult result = full ? InsertResult::kTooManyReadings : makeRoomFor(position);
+  if (result == InsertResult::kAccepted) {
+    poses_.push_back({stamp_ns, position, PathPose::kNoWallCount});
+  }
+  return result;
+}
+
 void ReadingStore::recordRejected(const std::string& reason, std::size_t count) {
   rejections_.before_insertion[reason] += count;
 }
@@ -228,18 +140,20 @@ void ReadingStore::correct(const PathCorrection& correction) {
   for (Contact& contact : contacts_) {
     contact.point_in_map = rounded(correction.moved(contact.stamp_ns, contact.point_in_map));
   }
+  for (PathPose& pose : poses_) {
+    pose.antenna_in_map = rounded(correction.moved(pose.stamp_ns, pose.antenna_in_map));
+  }
   if (!reserveAll()) {
     dropWhatDoesNotFit();
   }
-  holds_stray_room_ = true;
 }
 
 bool ReadingStore::reserveAll() {
-  Box extent = reserved_extent_;
+  Box all;
   bool finite = true;
   const auto include = [&](const Position& point) {
     finite = finite && point.allFinite();
-    extent.extend(point);
+    all.extend(point);
   };
   for (const Reading& reading : readings_) {
     include(reading.antenna_in_map);
@@ -247,11 +161,10 @@ bool ReadingStore::reserveAll() {
   for (const Contact& contact : contacts_) {
     include(contact.point_in_map);
   }
-  if (!finite || !fits(extent)) {
-    return false;
+  for (const PathPose& pose : poses_) {
+    include(pose.antenna_in_map);
   }
-  reserved_extent_ = extent;
-  return true;
+  return finite && extent_.reserveMoved(all);
 }
 
 void ReadingStore::dropWhatDoesNotFit() {
@@ -265,29 +178,23 @@ void ReadingStore::dropWhatDoesNotFit() {
     };
     eraseIf(readings_, [&](const Reading& one) { return drops(one.antenna_in_map); });
     eraseIf(contacts_, [&](const Contact& one) { return drops(one.point_in_map); });
+    eraseIf(poses_, [&](const PathPose& one) {
+      return examineOne(one.antenna_in_map) != InsertResult::kAccepted;
+    });
   };
   filter([](const Position& point) {
     return point.allFinite() ? InsertResult::kAccepted : InsertResult::kPositionNotFinite;
   });
   // Stray poses are found on the whole corrected path, before any reading is dropped.
-  const Box extent = extentOf(inliers());
-  reserved_extent_ = fits(extent) ? extent : least_extent_;
-  filter([&](const Position& point) { return reserve(point); });
-}
-
-void ReadingStore::growTo(const Box& extent) {
-  if (fits(reserved_extent_.merged(extent))) {
-    least_extent_.extend(extent);
-    reserved_extent_.extend(extent);
-  }
+  extent_.release(extentOf(inliers()));
+  filter([&](const Position& point) { return extent_.reserve(point); });
 }
 
 void ReadingStore::reset() {
-  least_extent_ = extentOf(inliers());
-  reserved_extent_ = least_extent_;
-  holds_stray_room_ = false;
+  extent_.restart(extentOf(inliers()));
   readings_.clear();
   contacts_.clear();
+  poses_.clear();
   rejections_ = {};
   refused_.clear();
   heard_.assign(heard_.size(), 0);
@@ -298,21 +205,18 @@ void ReadingStore::reset() {
 
 std::pair<std::size_t, std::size_t> ReadingStore::forget(
     const std::function<bool(std::int64_t, const Position&)>& test) {
-  growTo(extentOf(inliers()));
+  extent_.growTo(extentOf(inliers()));
   const std::size_t readings = readings_.size();
   const std::size_t contacts = contacts_.size();
   eraseIf(readings_, [&](const Reading& one) { return test(one.stamp_ns, one.antenna_in_map); });
   eraseIf(contacts_, [&](const Contact& one) { return test(one.stamp_ns, one.point_in_map); });
+  eraseIf(poses_, [&](const PathPose& one) { return test(one.stamp_ns, one.antenna_in_map); });
   return {readings - readings_.size(), contacts - contacts_.size()};
 }
 
 void ReadingStore::setAccessPoints(const std::vector<AccessPoint>& access_points) {
   std::shared_ptr<const Table> table = makeTable(access_points);
-  const Box extent = leastExtent(config_, access_points).merged(reserved_extent_);
-  if (!fits(extent)) {
-    throw InputError("no map can hold the access points and the path: " +
-                     tooLargeText(extent, config_));
-  }
+  extent_.extendTo(access_points);
   std::vector<std::size_t> heard(access_points.size(), 0);
   for (std::size_t i = 0; i < heard.size(); ++i) {
     const auto before = table_->index_of.find(access_points[i].bssid);
@@ -320,24 +224,24 @@ void ReadingStore::setAccessPoints(const std::vector<AccessPoint>& access_points
   }
   heard_ = std::move(heard);
   table_ = std::move(table);
-  least_extent_.extend(leastExtent(config_, access_points));
-  reserved_extent_ = extent;
 }
 
 std::vector<Reading> ReadingStore::readings() const {
   return strongestOfEachStamp(sortedByStamp(readings_));
 }
 
+std::vector<PathPose> ReadingStore::poses() const { return sortedPath(poses_); }
+
 RecordingData ReadingStore::data() const {
   return {sortedByStamp(readings_), sortedByStamp(refused_), step_back_ns_};
 }
 
 Inliers ReadingStore::inliers(std::vector<Reading> sorted) const {
-  return withoutStrayPoses(std::move(sorted), contacts_, table_->index_of);
+  return withoutStrayPoses(std::move(sorted), contacts_, table_->index_of, poses_);
 }
 
 Box ReadingStore::extentOf(const Inliers& inliers) const {
-  Box extent = least_extent_;
+  Box extent = extent_.least();
   for (const PathPose& pose : inliers.path) {
     extent.extend(pose.antenna_in_map);
   }
@@ -345,14 +249,6 @@ Box ReadingStore::extentOf(const Inliers& inliers) const {
     extent.extend(contact.point_in_map);
   }
   return extent;
-}
-
-GridGeometry ReadingStore::geometryOf(const Box& extent) const {
-  try {
-    return geometryAround(extent, config_);
-  } catch (const std::invalid_argument&) {
-    throw InputError(tooLargeText(extent, config_));
-  }
 }
 
 }  // namespace sfw

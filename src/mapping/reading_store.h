@@ -12,6 +12,7 @@
 
 #include "checks/recording_data.h"
 #include "mapping/inliers.h"
+#include "mapping/map_extent.h"
 #include "structure_from_wifi/config.h"
 #include "structure_from_wifi/path_correction.h"
 #include "structure_from_wifi/recording_findings.h"
@@ -20,8 +21,8 @@
 
 namespace sfw {
 
-/// Stores readings and contacts, rejects those that a map cannot use, and calculates the map's
-/// extent.
+/// Stores readings, contacts and the path between readings, and rejects those that a map cannot
+/// use.
 ///
 /// Mapper documents the functions of the same names. Not thread-safe.
 class ReadingStore {
@@ -31,10 +32,11 @@ class ReadingStore {
 
   InsertResult insert(const Reading& reading);
   InsertResult insert(const Contact& contact);
+  InsertResult insertPose(std::int64_t stamp_ns, const Position& antenna_in_map);
   void recordRejected(const std::string& reason, std::size_t count);
   void recordFrames(const FrameFinding& frames) { frames_ = frames; }
   void correct(const PathCorrection& correction);
-  void growTo(const Box& extent);
+  void growTo(const Box& extent) { extent_.growTo(extent); }
   void reset();
   std::pair<std::size_t, std::size_t> forget(
       const std::function<bool(std::int64_t, const Position&)>& test);
@@ -43,6 +45,7 @@ class ReadingStore {
   const std::vector<AccessPoint>& accessPoints() const { return table_->access_points; }
   std::vector<Reading> readings() const;
   const std::vector<Contact>& contacts() const { return contacts_; }
+  std::vector<PathPose> poses() const;
   const Rejections& rejections() const { return rejections_; }
 
   const FrameFinding& frames() const { return frames_; }
@@ -65,7 +68,7 @@ class ReadingStore {
 
   /// The grid of a map with such an extent.
   /// @throw InputError if it would have more than map/max_cells cells.
-  GridGeometry geometryOf(const Box& extent) const;
+  GridGeometry geometryOf(const Box& extent) const { return extent_.geometryOf(extent); }
 
  private:
   InsertResult examine(const Reading& reading) const;
@@ -73,10 +76,7 @@ class ReadingStore {
   /// Keeps what the checks need of a reading that is offered.
   void remember(const Reading& reading, InsertResult result);
 
-  /// Extends the reserved extent to a point, unless the map would be too large.
   InsertResult makeRoomFor(const Position& point);
-  InsertResult reserve(const Position& point);
-  bool fits(const Box& extent) const;
 
   /// Extends the reserved extent to everything.
   /// @return false, and changes nothing, if the map would be too large.
@@ -91,9 +91,11 @@ class ReadingStore {
   static std::shared_ptr<const Table> makeTable(const std::vector<AccessPoint>& access_points);
 
   Config::Map config_;
+  MapExtent extent_;
   std::shared_ptr<const Table> table_;  // never changes: copies share it
   std::vector<Reading> readings_;
   std::vector<Contact> contacts_;
+  std::vector<PathPose> poses_;  // of the path between readings
   Rejections rejections_;
 
   std::vector<Reading> refused_;  // for their signal or position; the first ones
@@ -101,13 +103,6 @@ class ReadingStore {
   std::optional<std::int64_t> last_stamp_ns_;  // the latest one so far
   std::int64_t step_back_ns_ = 0;
   FrameFinding frames_;
-
-  Box least_extent_;  // of a map without readings
-  // All positions that were accepted lie in the reserved extent, stray or not. It decides whether
-  // the next position is accepted. If the position does not fit, the space of stray poses is
-  // released.
-  Box reserved_extent_;
-  bool holds_stray_room_ = false;  // false: the reserved extent is that of the inliers
 };
 
 }  // namespace sfw

@@ -106,19 +106,22 @@ void writeMapFiles(const Snapshot& snapshot, const Config& config, const std::st
 }
 
 void writeRecording(const std::vector<Reading>& readings, const std::vector<Contact>& contacts,
-                    const Snapshot& snapshot, const std::string& directory) {
+                    const Snapshot& snapshot, const std::string& directory,
+                    const std::vector<PathPose>& path) {
   std::vector<AccessPoint> access_points;
   for (const AccessPointSummary& summary : snapshot.access_points) {
     access_points.push_back(summary.access_point);
   }
-  writeRecording(readings, contacts, access_points, directory);
+  writeRecording(readings, contacts, access_points, directory, path);
 }
 
 void writeRecording(const std::vector<Reading>& readings, const std::vector<Contact>& contacts,
-                    const std::vector<AccessPoint>& access_points, const std::string& directory) {
+                    const std::vector<AccessPoint>& access_points, const std::string& directory,
+                    const std::vector<PathPose>& path) {
   makeDirectories(directory);
   writeAtomically({{directory + "/readings.csv", readingsCsv(readings)},
                    {directory + "/contacts.csv", contactsCsv(contacts)},
+                   {directory + "/path.csv", pathCsv(path)},
                    {directory + "/access_points.yaml", accessPointsYaml(access_points)}});
 }
 

@@ -194,12 +194,17 @@ TEST_F(MapFiles, AccessPointsAreWrittenForPeopleToo) {
 TEST_F(MapFiles, ARecordingIsReadBack) {
   const Reading reading{5, {1.0, 2.0}, *Bssid::parse("02:00:00:00:00:01"), -40.0};
   const Contact contact{-1500000000, {0.25, -3.0}};
-  writeRecording({reading}, {contact}, snapshotOf(kPicture), path("a/b"));
+  writeRecording({reading}, {contact}, snapshotOf(kPicture), path("a/b"),
+                 {{1500000000, {0.5, 0.75}}});
   EXPECT_EQ(readReadings(path("a/b/readings.csv")).readings.size(), 1U);
   const auto contacts = readContacts(path("a/b/contacts.csv"));
   ASSERT_EQ(contacts.size(), 1U);
   EXPECT_EQ(contacts[0].stamp_ns, contact.stamp_ns);
   EXPECT_EQ(contacts[0].point_in_map, contact.point_in_map);
+  const auto poses = readPath(path("a/b/path.csv"));
+  ASSERT_EQ(poses.size(), 1U);
+  EXPECT_EQ(poses[0].stamp_ns, 1500000000);
+  EXPECT_EQ(poses[0].antenna_in_map, Position(0.5, 0.75));
   EXPECT_EQ(readAccessPoints(path("a/b/access_points.yaml")).access_points.front().name, "router");
 }
 
