@@ -80,7 +80,8 @@ class SFW_EXPORT PathCorrector {
   /// Returns the number of corrections.
   std::size_t size() const { return corrections_.size(); }
 
-  /// Returns the correction of the past that follows from all odometry corrections.
+  /// Returns the correction of the past that follows from all odometry corrections. It is empty if
+  /// they go to and fro between two places, or if the odometry does not move with the antenna.
   /// O(n log n) for n corrections, and for each jump O(corrections that it moves).
   PathCorrection correction() const;
 

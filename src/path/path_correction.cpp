@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "base/constants.h"
+#include "path/odometry_checks.h"
 
 namespace sfw {
 namespace {
@@ -172,6 +173,9 @@ PathCorrection PathCorrector::correction() const {
                                   return a.stamp_ns == b.stamp_ns;
                                 }),
                     corrections.end());
+  if (!areOfOdometry(corrections, tolerance_)) {
+    return {};
+  }
   SpreadPath path(corrections);
   double since_m = 0.0;  // distance driven at which the drift before the next jump begins
   for (std::size_t i = 1; i < corrections.size(); ++i) {
