@@ -172,7 +172,7 @@ void addNotesOnRecording(const RecordingFindings& recording, Notes& notes) {
   if (recording.cached) {
     addNoteOnCache(*recording.cached, notes);
   }
-  if (recording.overlap) {
+  if (recording.overlap && recording.frames.published_twice.empty()) {
     addNoteOnOverlap(*recording.overlap, notes);
   }
   if (recording.bursts) {

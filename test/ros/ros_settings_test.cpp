@@ -49,10 +49,12 @@ TEST(RosSettings, NumbersHaveTheirRanges) {
 }
 
 TEST(RosSettings, FramesAndTheDirectoryHaveNames) {
-  for (const std::string name : {"ros/map_frame", "ros/antenna_frame", "ros/odom_frame"}) {
+  for (const std::string name : {"ros/map_frame", "ros/antenna_frame"}) {
     EXPECT_EQ(brokenBy(name, std::string()), Names{name});
     EXPECT_EQ(brokenBy(name, std::string("/map")), Names{name});
   }
+  EXPECT_EQ(brokenBy("ros/odom_frame", std::string()), Names()) << "it is found in tf";
+  EXPECT_EQ(brokenBy("ros/odom_frame", std::string("/odom")), Names{"ros/odom_frame"});
   EXPECT_EQ(brokenBy("ros/save_directory", std::string()), Names{"ros/save_directory"});
 }
 

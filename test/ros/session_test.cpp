@@ -89,6 +89,7 @@ class SessionTest : public testing::Test {
       session_.readings.push_back({i, {0.1 * i, 0.5}, i % 2 == 0 ? kA : kB, -40.0 - i});
     }
     session_.contacts = {{7, {0.3, 0.9}}};
+    session_.path = {{8, {0.75, 0.5}}, {9, {0.85, 0.5}}};
     writeSession(session_, folder_.string());
   }
   void TearDown() override { fs::remove_all(folder_); }
@@ -120,7 +121,12 @@ TEST_F(SessionTest, IsReadAsItWasWritten) {
   EXPECT_EQ(again.readings.size(), 20U);
   EXPECT_EQ(again.readings.back().rssi_dbm, -59.0);
   EXPECT_EQ(again.contacts.size(), 1U);
+  ASSERT_EQ(again.path.size(), 2U);
+  EXPECT_EQ(again.path[1].stamp_ns, 9);
+  EXPECT_EQ(again.path[1].antenna_in_map, Position(0.85, 0.5));
   EXPECT_EQ(again.access_points.size(), 2U);
+  fs::remove(folder_ / "path.csv");
+  EXPECT_TRUE(readSession(folder_.string(), {}).path.empty()) << "of an old version";
 }
 
 TEST_F(SessionTest, EveryCutOfAFileIsRefusedOrLosesWholeRowsOnly) {
@@ -163,6 +169,7 @@ TEST_F(SessionTest, IsAddedWhollyOrNotAtAll) {
   const Mapper merged = mapper.corrected({}).mapper;
   EXPECT_EQ(merged.readings().size(), 21U);
   EXPECT_EQ(merged.contacts().size(), 1U);
+  EXPECT_EQ(merged.poses().size(), 2U);
   ASSERT_EQ(merged.accessPoints().size(), 2U);
   EXPECT_EQ(merged.accessPoints()[0].position, Position(5.0, 5.0));
 }

@@ -25,11 +25,11 @@ using Readings = std::vector<Reading>;
 void writeScan(rosbag::Bag& bag, Readings::const_iterator begin, Readings::const_iterator end,
                const RosSettings& frames) {
   const ros::Time stamp = toTime(begin->stamp_ns);
+  const std::string odom = frames.odom_frame.empty() ? "odom" : frames.odom_frame;
   tf2_msgs::TFMessage tf;
   tf.transforms = {
-      toPlanarTransform(stamp, frames.map_frame, frames.odom_frame, Position::Zero(), 0.0),
-      toPlanarTransform(stamp, frames.odom_frame, frames.antenna_frame, begin->antenna_in_map,
-                        0.0)};
+      toPlanarTransform(stamp, frames.map_frame, odom, Position::Zero(), 0.0),
+      toPlanarTransform(stamp, odom, frames.antenna_frame, begin->antenna_in_map, 0.0)};
   bag.write("/tf", stamp, tf);
   structure_from_wifi::WifiScan scan;
   scan.header.stamp = stamp;

@@ -34,7 +34,9 @@ std::vector<std::string> validate(const RosSettings& settings) {
   Problems problems;
   problems.frame("ros/map_frame", settings.map_frame);
   problems.frame("ros/antenna_frame", settings.antenna_frame);
-  problems.frame("ros/odom_frame", settings.odom_frame);
+  if (!settings.odom_frame.empty()) {  // empty: to be found in tf
+    problems.frame("ros/odom_frame", settings.odom_frame);
+  }
   problems.positive("ros/jump_distance", settings.jump_distance_m);
   problems.positive("ros/jump_angle", settings.jump_angle_rad);
   problems.positive("ros/publish_rate", settings.publish_rate_hz);

@@ -16,7 +16,7 @@ namespace sfw {
 struct RosSettings {
   std::string map_frame = "map";            ///< of the map and the access points
   std::string antenna_frame = "base_link";  ///< whose position is that of a reading
-  std::string odom_frame = "odom";          ///< readings follow it when the past is corrected
+  std::string odom_frame;                   ///< readings follow it when the past is corrected
   double jump_distance_m = 0.1;             ///< a larger correction of odom_frame moves the past
   double jump_angle_rad = 0.05;             ///< a larger turn of odom_frame moves it too
   double publish_rate_hz = 1.0;             ///< upper limit of map updates

@@ -7,6 +7,8 @@
 #include <exception>
 #include <fstream>
 
+#include "ros/mapping/odometry_frame.h"
+
 namespace sfw {
 namespace {
 
@@ -139,6 +141,7 @@ std::string whyNoMap(const MappingStatus& status) {
 TransformStatus transformStatus(const RosSettings& config, const tf2::BufferCore& transforms,
                                 const ros::Time& now) {
   TransformStatus status{config.map_frame, config.antenna_frame, {}, "", 0.0};
+  status.odom_frame = odometryFrame(config, transforms);
   for (const std::string& frame : {config.map_frame, config.antenna_frame}) {
     if (!transforms._frameExists(frame)) {
       status.missing_frames.push_back(frame);
@@ -223,12 +226,17 @@ void describeTransforms(const MappingStatus& status, DiagnosticStatusWrapper& to
                "tf has no frame " + joined(transform.missing_frames, ", ") + ".");
   } else if (!transform.tf_error.empty()) {
     to.summary(DiagnosticStatus::ERROR, "tf has no transform from " + way + ".");
+  } else if (!status.frames.published_twice.empty()) {
+    to.summary(DiagnosticStatus::WARN,
+               "Two programs publish the transform from " + status.frames.published_twice + ".");
   } else if (transform.age_s > status.transform_timeout_s) {
     to.summary(DiagnosticStatus::WARN,
                "The last transform from " + way + " is " + seconds(transform.age_s) + " old.");
   } else {
     to.summary(DiagnosticStatus::OK, "tf has the transform from " + way + ".");
   }
+  to.add("frame of the odometry", transform.odom_frame);
+  to.add("transforms to and fro", status.frames.flips);
   to.add("missing frames", joined(transform.missing_frames, ", "));
   to.add("error of tf", transform.tf_error);
   to.add("readings waiting for a transform", status.waiting);

@@ -22,6 +22,7 @@ struct TransformStatus {
   std::vector<std::string> missing_frames;  ///< of the two, those that tf does not know
   std::string tf_error;                     ///< in tf's words; empty if there is a transform
   double age_s = 0.0;                       ///< of the latest transform
+  std::string odom_frame = {};              ///< as odometryFrame
 };
 
 /// Looks at the latest transform. Never waits, never throws.
@@ -40,6 +41,7 @@ struct MappingStatus {
   double running_s = 0.0;  ///< since the start
   std::vector<InputStatistics::Input> inputs;
   TransformStatus transform;
+  FrameFinding frames;  ///< what is wrong with transforms
   double transform_timeout_s = 0.0;
   std::size_t waiting = 0;              ///< readings that wait for a transform
   std::size_t expired = 0;              ///< readings dropped without a transform

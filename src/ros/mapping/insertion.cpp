@@ -22,6 +22,12 @@ std::size_t insert(const LocatedObservation& observation, Mapper& mapper,
   if (kept && observation.correction) {
     corrector.insert(*observation.correction);
   }
+  for (const LocatedPose& sample : observation.way) {
+    const PathPose& pose = sample.pose;
+    if (isKept(mapper.insertPose(pose.stamp_ns, pose.antenna_in_map)) && sample.correction) {
+      corrector.insert(*sample.correction);
+    }
+  }
   return readings;
 }
 

@@ -5,6 +5,8 @@
 #include <exception>
 #include <variant>
 
+#include "ros/mapping/odometry_frame.h"
+
 namespace sfw {
 namespace {
 
@@ -14,22 +16,19 @@ Eigen::Quaterniond toQuaternion(const geometry_msgs::Quaternion& q) {
   return Eigen::Quaterniond(q.w, q.x, q.y, q.z);
 }
 
-double yawOf(const geometry_msgs::Quaternion& q) {
-  return std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));
-}
-
 /// The antenna and the odometry at a time, if tf has both.
 std::optional<OdometryCorrection> correctionAt(const ros::Time& stamp, const RosSettings& config,
                                                const tf2::BufferCore& transforms) {
-  if (config.odom_frame == config.map_frame || stamp.isZero() ||
-      !transforms.canTransform(config.map_frame, config.odom_frame, stamp) ||
+  const std::string odom_frame = odometryFrame(config, transforms);
+  if (odom_frame.empty() || stamp.isZero() ||
+      !transforms.canTransform(config.map_frame, odom_frame, stamp) ||
       !transforms.canTransform(config.map_frame, config.antenna_frame, stamp)) {
     return std::nullopt;
   }
   const auto lookup = [&](const std::string& frame) {
     return transforms.lookupTransform(config.map_frame, frame, stamp).transform;
   };
-  const geometry_msgs::Transform map_from_odom = lookup(config.odom_frame);
+  const geometry_msgs::Transform map_from_odom = lookup(odom_frame);
   return OdometryCorrection{static_cast<std::int64_t>(stamp.toNSec()),
                             toVector(lookup(config.antenna_frame).translation).head<2>(),
                             toVector(map_from_odom.translation).head<2>(),
@@ -42,6 +41,7 @@ LocatedObservation locatedAt(const geometry_msgs::Transform& map_from_sensor,
   const Eigen::Vector3d sensor_in_map = toVector(map_from_sensor.translation);
   const Eigen::Quaterniond turn = toQuaternion(map_from_sensor.rotation);
   LocatedObservation located;
+  located.sensor_height_m = sensor_in_map.z();
   located.up_in_sensor = turn.conjugate() * Eigen::Vector3d::UnitZ();
   if (const auto* reading = std::get_if<UnlocatedReading>(&observation.content)) {
     located.readings = {{stamp_ns, sensor_in_map.head<2>(), reading->bssid, reading->rssi_dbm}};
@@ -59,7 +59,8 @@ LocatedObservation locatedAt(const geometry_msgs::Transform& map_from_sensor,
 std::optional<LocatedObservation> locate(const Observation& observation, const RosSettings& config,
                                          const tf2::BufferCore& transforms, std::string& tf_error) {
   const auto* contacts = std::get_if<UnlocatedContacts>(&observation.content);
-  const std::string& frame = contacts != nullptr ? contacts->frame : config.antenna_frame;
+  const std::string frame =
+      contacts != nullptr ? withoutSlash(contacts->frame) : config.antenna_frame;
   try {
     LocatedObservation located =
         locatedAt(transforms.lookupTransform(config.map_frame, frame, observation.stamp).transform,
@@ -71,6 +72,22 @@ std::optional<LocatedObservation> locate(const Observation& observation, const R
     // are 68 years apart.
     tf_error = error.what();
     return std::nullopt;
+  }
+}
+
+std::optional<LocatedPose> locatePose(const ros::Time& stamp, const RosSettings& config,
+                                      const tf2::BufferCore& transforms) {
+  try {
+    if (!transforms.canTransform(config.map_frame, config.antenna_frame, stamp)) {
+      return std::nullopt;
+    }
+    const geometry_msgs::Vector3 position =
+        transforms.lookupTransform(config.map_frame, config.antenna_frame, stamp)
+            .transform.translation;
+    const PathPose pose{static_cast<std::int64_t>(stamp.toNSec()), {position.x, position.y}};
+    return LocatedPose{pose, correctionAt(stamp, config, transforms)};
+  } catch (const std::exception&) {
+    return std::nullopt;  // as in locate()
   }
 }
 
@@ -87,6 +104,10 @@ std::optional<OdometryCorrection> latestCorrection(const RosSettings& config,
   } catch (const std::exception&) {
     return std::nullopt;  // the buffer changed between two look-ups
   }
+}
+
+double yawOf(const geometry_msgs::Quaternion& q) {
+  return std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));
 }
 
 Position inMap(const geometry_msgs::Transform& map_from_frame, const geometry_msgs::Point& point) {

@@ -89,6 +89,7 @@ void MappingNodelet::diagnose() {
   status_ = status();
   diagnostics_->force_update();  // update() would stop with the simulated clock
   if (failure_.empty()) {
+    mapper_->recordFrames(status_.frames);
     announceMissingInput();
   }
 }
@@ -105,6 +106,8 @@ MappingStatus MappingNodelet::status() const {
   status.is_clock_missing = ros::Time::isSimTime() && ros::Time::now().isZero();
   status.inputs = statistics_.inputs(status.now_s);
   status.transform = transformStatus(ros_settings_, *transforms_, ros::Time::now());
+  status.frames = transform_watch_.finding(ros_settings_.antenna_frame);
+  status.frames.floors_m = floors_.heights();
   status.transform_timeout_s = ros_settings_.transform_timeout_s;
   status.is_paused = paused_;
   status.waiting = queue_->size();

@@ -88,8 +88,19 @@ void MappingNodelet::advertise() {
 
 void MappingNodelet::subscribe() {
   transform_listener_ = std::make_unique<tf2_ros::TransformListener>(*transforms_, getNodeHandle());
+  constexpr std::uint32_t kQueue = 100;  // as of the listener
+  for (const char* topic : {"/tf", "/tf_static"}) {
+    subscribers_.push_back(
+        getNodeHandle().subscribe(topic, kQueue, &MappingNodelet::watchTransforms, this));
+  }
   for (const Input& input : kInputs) {
     subscribeTo(input);
+  }
+}
+
+void MappingNodelet::watchTransforms(const ros::MessageEvent<tf2_msgs::TFMessage const>& event) {
+  for (const geometry_msgs::TransformStamped& transform : event.getConstMessage()->transforms) {
+    transform_watch_.observe(transform, event.getPublisherName());
   }
 }
 
@@ -177,6 +188,9 @@ bool MappingNodelet::insert(const LocatedObservation& observation) {
     return false;
   }
   mapper_->insert(observation);
+  if (!observation.readings.empty()) {
+    floors_.observe(observation.sensor_height_m);
+  }
   announceFirstReading(observation);
   return refresh_rule_->isNews(observation);
 }

@@ -7,6 +7,7 @@
 #include <nodelet/nodelet.h>
 #include <octomap_msgs/GetOctomap.h>
 #include <ros/callback_queue.h>
+#include <ros/message_event.h>
 #include <ros/service_server.h>
 #include <ros/subscriber.h>
 #include <std_srvs/SetBool.h>
@@ -14,6 +15,7 @@
 #include <structure_from_wifi/ClearRegion.h>
 #include <structure_from_wifi/LoadMap.h>
 #include <structure_from_wifi/SaveMap.h>
+#include <tf2_msgs/TFMessage.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
 #include <topic_tools/shape_shifter.h>
@@ -33,12 +35,14 @@
 #include "ros/conversion/ros_settings.h"
 #include "ros/mapping/announcements.h"
 #include "ros/mapping/diagnostics.h"
+#include "ros/mapping/floors.h"
 #include "ros/mapping/input_statistics.h"
 #include "ros/mapping/map_publishers.h"
 #include "ros/mapping/observation_queue.h"
 #include "ros/mapping/pose_watch.h"
 #include "ros/mapping/refresh_rule.h"
 #include "ros/mapping/shared_mapper.h"
+#include "ros/mapping/transform_watch.h"
 #include "structure_from_wifi/config.h"
 #include "structure_from_wifi/data_checks.h"
 #include "structure_from_wifi/map_notes.h"
@@ -76,6 +80,7 @@ class MappingNodelet : public nodelet::Nodelet {
   void subscribeTo(const Input& input);
 
   // In the manager's threads.
+  void watchTransforms(const ros::MessageEvent<tf2_msgs::TFMessage const>& event);
   void receive(const Input& input, std::size_t index, const topic_tools::ShapeShifter& message);
   void convert(const Input& input, std::size_t index, const AnyMessage& message);
   void noteFailedMessage(const std::string& topic, std::size_t index,
@@ -163,6 +168,8 @@ class MappingNodelet : public nodelet::Nodelet {
 
   std::optional<tf2_ros::Buffer> transforms_;
   std::unique_ptr<tf2_ros::TransformListener> transform_listener_;
+  TransformWatch transform_watch_;
+  Floors floors_;
   std::vector<ros::Subscriber> subscribers_;
 
   ros::CallbackQueue quick_calls_, slow_calls_;  // outlive the servers that use them

@@ -66,6 +66,8 @@ bool MappingNodelet::startAnew() {
     queue_->clear();
     refresh_rule_->clear();
     pose_watch_->clear();
+    transform_watch_.clear();
+    floors_.clear();
   }
   clear_reported_ = true;
   forget_directories_ = true;

@@ -62,7 +62,8 @@ bool MappingNodelet::saveMap(const structure_from_wifi::SaveMap::Request& reques
     for (const MapNote& note : mapNotes(*mapping.snapshot, mapping.findings)) {
       NODELET_WARN_STREAM(note.text);
     }
-    writeRecording(mapper.readings(), mapper.contacts(), *mapping.snapshot, directory);
+    writeRecording(mapper.readings(), mapper.contacts(), *mapping.snapshot, directory,
+                   mapper.poses());
     writeMapFiles(*mapping.snapshot, config_, directory, mapping.findings);
     own_directories_.insert(directory);
     response.success = 1;
@@ -158,7 +159,7 @@ void MappingNodelet::autosave() {
     unsaved_ = false;  // before the copy: later readings are for the next time
     const SharedMapper::Copy copy =
         mapper_->corrected(latestCorrection(ros_settings_, *transforms_));
-    const Session session{copy.mapper.readings(), copy.mapper.contacts(),
+    const Session session{copy.mapper.readings(), copy.mapper.contacts(), copy.mapper.poses(),
                           copy.mapper.accessPoints()};
     if (session.readings.empty()) {
       return;

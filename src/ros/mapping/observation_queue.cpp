@@ -15,8 +15,12 @@ void ObservationQueue::push(Observation observation) {
 }
 
 void ObservationQueue::clear() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  waiting_.clear();
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    waiting_.clear();
+  }
+  const std::lock_guard<std::mutex> lock(sampling_);
+  sampler_.clear();
 }
 
 std::size_t ObservationQueue::size() const {
@@ -54,8 +58,12 @@ ObservationQueue::Outcome ObservationQueue::locate(const tf2::BufferCore& transf
     Waiting waiting = std::move(all.front());
     all.pop_front();
     std::string tf_error;
-    if (const auto located = sfw::locate(waiting.observation, config_, transforms, tf_error)) {
+    if (auto located = sfw::locate(waiting.observation, config_, transforms, tf_error)) {
       try {
+        if (!located->readings.empty()) {
+          const std::lock_guard<std::mutex> lock(sampling_);
+          located->way = sampler_.extendTo(located->readings.front().stamp_ns, transforms);
+        }
         sink(*located);
       } catch (const std::exception&) {
         giveBack();  // the others

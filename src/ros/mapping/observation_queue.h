@@ -11,6 +11,7 @@
 
 #include "ros/conversion/ros_settings.h"
 #include "ros/mapping/localization.h"
+#include "ros/mapping/path_sampler.h"
 
 namespace sfw {
 
@@ -21,12 +22,12 @@ namespace sfw {
 /// simulated time stands still. Thread-safe.
 class ObservationQueue {
  public:
-  explicit ObservationQueue(const RosSettings& config) : config_(config) {}
+  explicit ObservationQueue(const RosSettings& config) : config_(config), sampler_(config) {}
 
   /// Adds an observation; with ros/max_waiting in the queue, the oldest one is dropped.
   void push(Observation observation);
 
-  /// Drops all observations.
+  /// Drops all observations, and forgets which part of the path was sampled.
   void clear();
 
   /// The number of observations that wait.
@@ -42,8 +43,9 @@ class ObservationQueue {
 
   using Sink = std::function<void(const LocatedObservation&)>;
 
-  /// Passes on each observation that tf can locate. Drops observations that are too old or have
-  /// waited too long. An observation with a stamp in the future waits until it is dropped.
+  /// Passes on each observation that tf can locate, with the way driven since the ones before.
+  /// Drops observations that are too old or have waited too long. An observation with a stamp in
+  /// the future waits until it is dropped.
   /// If the sink throws, its observation is dropped and the others wait on.
   /// @param now  of the clock of the stamps; with zero, an unknown time, nothing expires
   Outcome locate(const tf2::BufferCore& transforms, const ros::Time& now, const Sink& sink);
@@ -60,6 +62,8 @@ class ObservationQueue {
   mutable std::mutex mutex_;
   std::deque<Waiting> waiting_;
   std::size_t overflowed_ = 0;
+  std::mutex sampling_;  // around the next member, so that push() never waits for it
+  PathSampler sampler_;
 };
 
 }  // namespace sfw

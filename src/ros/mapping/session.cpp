@@ -44,17 +44,24 @@ Session readSession(const std::string& directory, const Config::Map& config) {
   requireWholeFile(readings_file, most_rows * kLongestRow);
   requireWholeFile(contacts_file, most_rows * kLongestRow);
   requireWholeFile(table_file, kLargestTable);
+  const std::string path_file = directory + "/path.csv";
+  std::vector<PathPose> path;
+  if (std::filesystem::exists(path_file)) {  // sessions of old versions have none
+    requireWholeFile(path_file, most_rows * kLongestRow);
+    path = readPath(path_file);
+  }
   ReadingFile readings = readReadings(readings_file);
   if (!readings.skipped.empty()) {
     const auto& [reason, rows] = *readings.skipped.begin();
     throw InputError(readings_file + ": " + reason + " (" + rows.first + ")");
   }
-  return {std::move(readings.readings), readContacts(contacts_file),
+  return {std::move(readings.readings), readContacts(contacts_file), std::move(path),
           readAccessPoints(table_file).access_points};
 }
 
 void writeSession(const Session& session, const std::string& directory) {
-  writeRecording(session.readings, session.contacts, session.access_points, directory);
+  writeRecording(session.readings, session.contacts, session.access_points, directory,
+                 session.path);
 }
 
 bool holdsReadings(const std::string& directory) {

@@ -12,10 +12,12 @@ namespace sfw {
 struct Session {
   std::vector<Reading> readings;
   std::vector<Contact> contacts;
+  std::vector<PathPose> path;  ///< poses between readings
   std::vector<AccessPoint> access_points;
 };
 
-/// Reads readings.csv, contacts.csv and access_points.yaml of a directory.
+/// Reads readings.csv, contacts.csv, access_points.yaml and, if there is one, path.csv of a
+/// directory.
 /// @param config  its limit of readings also limits the size of files
 /// @throw InputError naming the file and why: it is missing, too large, cut short, or has a row
 /// that cannot be used.

@@ -46,6 +46,11 @@ void SharedMapper::recordRejected(const std::string& reason, std::size_t count) 
   mapper_.recordRejected(reason, count);
 }
 
+void SharedMapper::recordFrames(const FrameFinding& frames) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  mapper_.recordFrames(frames);
+}
+
 void SharedMapper::reset() {
   const std::lock_guard<std::mutex> lock(mutex_);
   mapper_.reset();
@@ -110,6 +115,9 @@ std::size_t SharedMapper::add(const Session& session) {
   mapper.setAccessPoints(table);
   insertAll(session.readings, mapper);
   insertAll(session.contacts, mapper);
+  for (const PathPose& pose : session.path) {
+    mapper.insertPose(pose.stamp_ns, pose.antenna_in_map);
+  }
   mapper_ = std::move(mapper);
   readings_ += session.readings.size();
   return elsewhere;

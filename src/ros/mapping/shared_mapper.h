@@ -40,6 +40,9 @@ class SharedMapper {
   /// Counts readings that were rejected before insertion (Mapper::recordRejected).
   void recordRejected(const std::string& reason, std::size_t count);
 
+  /// Tells what is wrong with transforms (Mapper::recordFrames).
+  void recordFrames(const FrameFinding& frames);
+
   /// The readings and contacts that no map uses.
   Rejections rejections() const;
 
