@@ -10,11 +10,10 @@
 #include "belief/belief_model.h"
 #include "checks/recording_checks.h"
 #include "checks/recording_notes.h"
+#include "cli/bag_options.h"
 #include "cli/commands.h"
 #include "cli/warnings.h"
 #include "mapping/inliers.h"
-#include "ros/bags/bag_reader.h"
-#include "ros/conversion/input_messages.h"
 #include "ros/conversion/ros_settings.h"
 #include "structure_from_wifi/data_checks.h"
 #include "structure_from_wifi/input_error.h"
@@ -28,12 +27,10 @@ namespace {
 struct MapOptions {
   std::string readings;
   std::string poses;
-  std::string bag;
-  BagTopics topics = defaultBagTopics();
-  std::string map_frame;
-  std::string antenna_frame;
+  BagOptions bags;
   std::string access_points;
   std::string contacts;
+  std::string path;
   double scale = 1.0;
   std::string config;
   std::string output;
@@ -47,9 +44,7 @@ MappingSettings loadSettings(const MapOptions& options) {
   for (const std::string& warning : settings.warnings) {
     warn(options.config + ": " + warning);
   }
-  RosSettings& ros = settings.ros;
-  ros.map_frame = options.map_frame.empty() ? ros.map_frame : options.map_frame;
-  ros.antenna_frame = options.antenna_frame.empty() ? ros.antenna_frame : options.antenna_frame;
+  settings.ros = options.bags.applied(settings.ros);
   return settings;
 }
 
@@ -63,8 +58,9 @@ std::vector<AccessPoint> tableOf(const MapOptions& options) {
 
 /// Reads the file of readings, in metres.
 ReadingFile readingsOf(const MapOptions& options) {
-  ReadingFile file =
-      options.bag.empty() ? readWithWarnings(options.readings, options.poses) : ReadingFile{};
+  ReadingFile file = options.bags.source.files.empty()
+                         ? readWithWarnings(options.readings, options.poses)
+                         : ReadingFile{};
   for (Reading& reading : file.readings) {
     reading.antenna_in_map *= options.scale;
   }
@@ -110,22 +106,6 @@ void insertReadings(const ReadingFile& file, Mapper& mapper) {
   }
 }
 
-void insertBag(const MapOptions& options, const MappingSettings& settings, Mapper& mapper) {
-  const BagReading reading = readBag(options.bag, options.topics, settings, mapper);
-  for (const auto& [problem, count] : reading.rejected) {
-    mapper.recordRejected(problem, count);
-    warn(options.bag + ": " + std::to_string(count) + " readings or contacts left out: " + problem);
-  }
-  if (reading.unlocated > 0) {
-    mapper.recordRejected("no transform at their stamp", reading.unlocated);
-    warn(options.bag + ": " + std::to_string(reading.unlocated) +
-         " readings left out: the bag has no transform from " + settings.ros.antenna_frame +
-         " to " + settings.ros.map_frame +
-         " at their stamp; name the frames with --antenna-frame and " +
-         "--map-frame. tf's error: " + reading.tf_error);
-  }
-}
-
 void reportRejections(const std::string& source, const Rejections& rejections) {
   for (const auto& [insertion, count] : rejections.count) {
     warn(source + ": " + std::to_string(count) + " readings left out: " + toString(insertion));
@@ -168,16 +148,22 @@ void run(const MapOptions& options) {
   const Config& config = settings.config;
   const ReadingFile file = readingsOf(options);
   Mapper mapper = mapperFor(options, file.readings, config);
-  const std::string& source = options.bag.empty() ? options.readings : options.bag;
-  if (options.bag.empty()) {
-    insertReadings(file, mapper);
+  const bool is_bag = !options.bags.source.files.empty();
+  const std::string source = is_bag ? namesOf(options.bags.source.files) : options.readings;
+  if (is_bag) {
+    insertBags(options.bags, settings, mapper);
   } else {
-    insertBag(options, settings, mapper);
+    insertReadings(file, mapper);
   }
   if (!options.contacts.empty()) {
     for (Contact contact : readContacts(options.contacts)) {
       contact.point_in_map *= options.scale;
       mapper.insert(contact);
+    }
+  }
+  if (!options.path.empty()) {
+    for (const PathPose& pose : readPath(options.path)) {
+      mapper.insertPose(pose.stamp_ns, pose.antenna_in_map * options.scale);
     }
   }
   reportRejections(source, mapper.rejections());
@@ -208,22 +194,18 @@ void runMap(Options& options) {
   options.add("poses", "FILE", map.poses,
               "CSV with the columns stamp, x, y: positions for readings that have none, such as "
               "those of WiGLE (CSV) and Kismet (table of packets as CSV)");
-  options.add("bag", "FILE", map.bag, "bag with /tf and scans");
-  for (const Input& input : kInputs) {
-    if (input.bag_option != nullptr) {
-      options.add(input.bag_option, "TOPIC", map.topics[input.topic], input.meaning);
-    }
-  }
-  options.add("map-frame", "FRAME", map.map_frame, "for a bag; default: the setting ros/map_frame");
-  options.add("antenna-frame", "FRAME", map.antenna_frame,
-              "for a bag; default: the setting ros/antenna_frame");
+  map.bags.declare(options);
   options.addRequired("access-points", "FILE", map.access_points,
                       "YAML: access_points: [{bssid, x, y, z?, name?, tx_dbm?}]");
   options.add("contacts", "FILE", map.contacts,
               "CSV with the columns stamp, x, y: obstacles that the robot touched");
-  options.add("scale", "METRES", map.scale,
-              "length of the unit of x and y in the files of readings, contacts and access points: "
-              "0.01 for centimetres");
+  options.add(
+      "path", "FILE", map.path,
+      "CSV with the columns stamp, x, y: the way driven between readings that are far apart");
+  options.add(
+      "scale", "METRES", map.scale,
+      "length of the unit of x and y in the files of readings, contacts, path and access points: "
+      "0.01 for centimetres");
   options.add("config", "FILE", map.config, "settings as in config/mapping.yaml");
   options.addRequired("output", "DIRECTORY", map.output, "directory for the files of the map");
   if (!options.parse()) {
@@ -231,6 +213,9 @@ void runMap(Options& options) {
   }
   if (options.given("readings") == options.given("bag")) {
     throw InputError("map needs exactly one of --readings and --bag");
+  }
+  if (options.given("path") && options.given("bag")) {
+    throw InputError("--path goes with --readings: a bag has the path in /tf");
   }
   if (!(map.scale > 0.0) || !std::isfinite(map.scale)) {
     throw InputError("--scale must be a number above 0");

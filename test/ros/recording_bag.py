@@ -123,6 +123,13 @@ def corrected_messages(stops, drift=0.003):
         yield stop.stamp_ns + 1, "/wifi_scan", scan_of(stop)
 
 
+def slow_messages(stops, every):
+    """The same drive with a scan only at some stops, and tf all the way."""
+    for i, (received, topic, message) in enumerate(plain_messages(stops)):
+        if topic == "/tf" or i // 4 % every == 0:
+            yield received, topic, message
+
+
 def write_bag(messages, file):
     with rosbag.Bag(str(file), "w") as bag:
         for received_ns, topic, message in sorted(messages, key=lambda entry: entry[0]):

@@ -31,6 +31,7 @@ class Replay(unittest.TestCase):
     def setUp(self):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="sfw replay "))
         self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
+        self.split = ["drive.bag"]  # the bags to play
 
     def write(self, stops, messages):
         recording_bag.write_csv(stops, self.folder / "readings.csv")
@@ -53,7 +54,8 @@ class Replay(unittest.TestCase):
             self.session.start("manager", "rosrun", "nodelet", "nodelet", "manager",
                                "__name:=manager", "_num_worker_threads:=%d" % workers)
         return self.session.start(
-            "replay", "roslaunch", ROOT / "launch" / "replay.launch", "bag:=drive.bag",
+            "replay", "roslaunch", ROOT / "launch" / "replay.launch",
+            "bag:=" + " ".join(self.split),
             "access_points:=%s" % table, "rviz:=false",
             "rate:=%g" % rate, "delay:=%g" % delay, "manager:=%s" % manager,
             "save_directory:=%s" % (self.folder / "saved"))
@@ -125,6 +127,52 @@ class Replay(unittest.TestCase):
             self.assertAlmostEqual(float(row[1]), stops[i // 2].x, delta=0.02)
             self.assertAlmostEqual(float(row[2]), stops[i // 2].y, delta=0.02)
 
+    def test_a_slow_scanner_gives_one_map_by_all_ways(self):
+        stops = recording_bag.synthetic_stops()
+        for name, messages, bags in (("whole", list(recording_bag.slow_messages(stops, 20)), 1),
+                                     ("split", list(recording_bag.slow_messages(stops, 20)), 3)):
+            with self.subTest(name):
+                self.write(stops, messages)
+                self.split = self.split_bag(messages, bags)
+                maps = self.check(2 * len(stops[::20]), (1, 10), with_csv=False)
+                self.check_path(maps)
+
+    def test_a_bumper_gives_one_map_by_all_ways(self):
+        """The robot stands while it touches, because a bumper's message has no stamp of its own."""
+        from std_msgs.msg import Bool
+        stops = recording_bag.synthetic_stops()
+        stops[110:] = [stop._replace(x=stops[110].x, y=stops[110].y) for stop in stops[110:]]
+        messages = list(recording_bag.plain_messages(stops))
+        messages.append((stops[130].stamp_ns + 2, "/contact", Bool(True)))
+        maps = self.check(self.write(stops, messages), (1, 10), with_csv=False)
+        self.assertEqual(len((maps[1] / "contacts.csv").read_text().split()), 2)
+        untouched = self.folder / "untouched.bag"
+        recording_bag.write_bag(messages[:-1], untouched)
+        with RosSession(with_master=False) as self.session:
+            self.mapped("untouched", "--bag", untouched)
+        self.assertNotEqual((self.folder / "untouched" / "map.pgm").read_bytes(),
+                            (maps[0] / "map.pgm").read_bytes(), "the contact does not matter")
+
+    def check_path(self, maps):
+        """The files that ~save_map wrote give its map again, but only with the path."""
+        for name, options in (("again", ["--path", maps[1] / "path.csv"]), ("without", [])):
+            with RosSession(with_master=False) as self.session:
+                self.mapped(name, "--readings", maps[1] / "readings.csv", *options)
+        for file in COMPARED:
+            self.assertEqual((self.folder / "again" / file).read_bytes(),
+                             (maps[1] / file).read_bytes(), file)
+        self.assertNotEqual((self.folder / "without" / "map.pgm").read_bytes(),
+                            (maps[1] / "map.pgm").read_bytes(), "the path does not matter")
+
+    def split_bag(self, messages, parts):
+        """The names of the bags that `rosbag record --split` would have made."""
+        messages = sorted(messages, key=lambda entry: entry[0])
+        size = -(-len(messages) // parts)
+        names = ["drive_%d.bag" % i for i in range(parts)]
+        for i, name in enumerate(names):
+            recording_bag.write_bag(messages[i * size:(i + 1) * size], self.folder / name)
+        return names
+
     @unittest.skipUnless(HOME_A.is_dir(), "%s is missing" % HOME_A)
     def test_a_real_drive_gives_one_map_by_all_ways(self):
         stops = recording_bag.recorded_stops(HOME_A / "two_routers.csv", 60)
@@ -174,7 +222,7 @@ class BrokenBags(unittest.TestCase):
 
     def test_no_transforms(self):
         scans = [entry for entry in recording_bag.plain_messages(self.stops) if entry[1] != "/tf"]
-        self.ends(self.sfw(scans), 1, "drive.bag", "40 readings left out", "base_link", "map")
+        self.ends(self.sfw(scans), 1, "drive.bag", "no transform on /tf", "--tf-topic")
 
     def test_another_type_on_the_topic(self):
         messages = [(at, "/wifi_scan", message) for at, topic, message

@@ -3,56 +3,109 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 #include <tf2/buffer_core.h>
-#include <tf2_msgs/TFMessage.h>
 
 #include <algorithm>
 #include <vector>
 
+#include "ros/bags/bag_files.h"
+#include "ros/bags/bag_transforms.h"
 #include "ros/conversion/input_messages.h"
+#include "ros/mapping/floors.h"
 #include "ros/mapping/insertion.h"
+#include "ros/mapping/odometry_frame.h"
+#include "ros/mapping/path_sampler.h"
 #include "structure_from_wifi/input_error.h"
 
 namespace sfw {
 namespace {
 
-/// Topic names are compared without a leading slash, because bags have them with and without it.
-std::string plain(const std::string& topic) {
-  return !topic.empty() && topic.front() == '/' ? topic.substr(1) : topic;
-}
-
-void loadTransforms(const rosbag::Bag& bag, tf2::BufferCore& transforms) {
-  const auto load = [&](const char* topic, bool is_static) {
-    rosbag::View view(bag, rosbag::TopicQuery(std::vector<std::string>{topic, plain(topic)}));
-    for (const rosbag::MessageInstance& message : view) {
-      if (const auto tf = message.instantiate<tf2_msgs::TFMessage>()) {
-        for (const geometry_msgs::TransformStamped& transform : tf->transforms) {
-          transforms.setTransform(transform, "bag", is_static);
-        }
-      }
-    }
-  };
-  load("/tf", false);
-  load("/tf_static", true);
-}
-
 /// The input that has a topic in the bag, or nullptr.
 const Input* inputOf(const std::string& topic, const BagTopics& topics) {
   const auto found = std::find_if(kInputs.begin(), kInputs.end(), [&](const Input& input) {
     const auto recorded = topics.find(input.topic);
-    return recorded != topics.end() && plain(recorded->second) == plain(topic);
+    return recorded != topics.end() && plainTopic(recorded->second) == plainTopic(topic);
   });
   return found == kInputs.end() ? nullptr : &*found;
 }
 
-BagReading read(const std::string& file, const BagTopics& topics, const MappingSettings& settings,
-                Mapper& mapper) {
-  const rosbag::Bag bag(file, rosbag::bagmode::Read);
-  rosbag::View view(bag);
+/// The topics in bags that may bring readings.
+std::vector<std::string> radioTopics(const std::vector<std::string>& recorded,
+                                     const BagTopics& topics) {
+  std::vector<std::string> found;
+  for (const Input& input : kInputs) {
+    const auto named = topics.find(input.topic);
+    const std::string topic = named == topics.end() ? "" : plainTopic(named->second);
+    if (input.is_radio && std::find(recorded.begin(), recorded.end(), topic) != recorded.end()) {
+      found.push_back(topic);
+    }
+  }
+  return found;
+}
+
+/// Inserts the observations of messages into a mapper.
+class Insertion {
+ public:
+  Insertion(const MappingSettings& settings, const tf2::BufferCore& transforms, Mapper& mapper)
+      : ros_(settings.ros),
+        transforms_(transforms),
+        mapper_(mapper),
+        corrector_(jumpTolerance(settings.ros)),
+        sampler_(settings.ros) {}
+
+  void insert(const Conversion& conversion, BagReading& reading) {
+    if (conversion.rejected > 0) {
+      reading.rejected[conversion.problem] += conversion.rejected;
+    }
+    for (const Observation& observation : conversion.observations) {
+      ++reading.observations;
+      auto located = locate(observation, ros_, transforms_, reading.tf_error);
+      if (!located) {
+        ++reading.unlocated;
+        continue;
+      }
+      if (!located->readings.empty()) {
+        floors_.observe(located->sensor_height_m);
+        located->way = sampler_.extendTo(located->readings.front().stamp_ns, transforms_);
+      }
+      sfw::insert(*located, mapper_, corrector_);
+    }
+  }
+
+  /// Corrects the path by all that came, and tells what is wrong with transforms.
+  void finish(FrameFinding frames) {
+    frames.floors_m = floors_.heights();
+    mapper_.recordFrames(frames);
+    if (const auto latest = latestCorrection(ros_, transforms_)) {
+      corrector_.insert(*latest);
+    }
+    mapper_.correct(corrector_.correction());
+  }
+
+ private:
+  const RosSettings& ros_;
+  const tf2::BufferCore& transforms_;
+  Mapper& mapper_;
+  PathCorrector corrector_;
+  PathSampler sampler_;
+  Floors floors_;
+};
+
+BagReading read(const BagFiles& bags, const std::string& tf_topic, const BagTopics& topics,
+                const MappingSettings& settings, Mapper& mapper) {
   // No transform is too old, but stamp plus age must fit 32 bits of seconds.
   tf2::BufferCore transforms(ros::Duration(1e9));
-  loadTransforms(bag, transforms);
+  TransformWatch watch;
+  if (!tf_topic.empty()) {
+    loadTransforms(bags, tf_topic, transforms, watch);
+  }
+  rosbag::View view;
+  for (const auto& bag : bags.bags()) {
+    view.addQuery(*bag);
+  }
   BagReading reading;
-  PathCorrector corrector(jumpTolerance(settings.ros));
+  transforms._getFrameStrings(reading.frames);
+  reading.odom_frame = odometryFrame(settings.ros, transforms);
+  Insertion insertion(settings, transforms, mapper);
   InputContext context{{}, settings.ros.antenna_frame, settings.config.path.footprint_radius_m};
   for (const rosbag::MessageInstance& message : view) {
     const Input* input = inputOf(message.getTopic(), topics);
@@ -64,22 +117,9 @@ BagReading read(const std::string& file, const BagTopics& topics, const MappingS
     if (!conversion.problem.empty() && input->is_radio) {
       reading.problems[message.getTopic()] = conversion.problem;
     }
-    if (conversion.rejected > 0) {
-      reading.rejected[conversion.problem] += conversion.rejected;
-    }
-    for (const Observation& observation : conversion.observations) {
-      ++reading.observations;
-      if (const auto located = locate(observation, settings.ros, transforms, reading.tf_error)) {
-        insert(*located, mapper, corrector);
-      } else {
-        ++reading.unlocated;
-      }
-    }
+    insertion.insert(conversion, reading);
   }
-  if (const auto latest = latestCorrection(settings.ros, transforms)) {
-    corrector.insert(*latest);
-  }
-  mapper.correct(corrector.correction());
+  insertion.finish(watch.finding(settings.ros.antenna_frame));
   return reading;
 }
 
@@ -106,23 +146,40 @@ BagReading read(const std::string& file, const BagTopics& topics, const MappingS
 BagTopics defaultBagTopics() {
   BagTopics topics;
   for (const Input& input : kInputs) {
-    if (input.bag_option != nullptr) {
-      topics[input.topic] = "/" + std::string(input.topic);
-    }
+    topics[input.topic] = "/" + std::string(input.topic);
   }
   return topics;
 }
 
-BagReading readBag(const std::string& file, const BagTopics& topics,
-                   const MappingSettings& settings, Mapper& mapper) {
+std::string namesOf(const std::vector<std::string>& files) {
+  const std::size_t others = files.size() - 1;
+  return files.front() + (others == 0   ? ""
+                          : others == 1 ? " and another bag"
+                                        : " and " + std::to_string(others) + " more bags");
+}
+
+BagReading readBags(const BagSource& source, const BagTopics& topics,
+                    const MappingSettings& settings, Mapper& mapper) {
+  const std::string names = namesOf(source.files);
+  const BagFiles bags(source.files);
   BagReading reading;
+  std::string tf_topic, tf_problem;
   try {
-    reading = read(file, topics, settings, mapper);
+    const std::vector<std::string> recorded = bags.topics();
+    try {
+      tf_topic = findTransformTopic(recorded, radioTopics(recorded, topics), source.tf_topic);
+    } catch (const InputError& error) {
+      tf_problem = error.what();
+    }
+    reading = read(bags, tf_topic, topics, settings, mapper);
   } catch (const std::exception& error) {  // from rosbag, or from tf2 or a message that is broken
-    throw InputError(file + ": cannot be read as a bag: " + error.what());
+    throw InputError(names + ": cannot be read as a bag: " + error.what());
   }
   if (reading.observations == 0) {
-    throwNoReading(file, topics, reading);
+    throwNoReading(names, topics, reading);
+  }
+  if (!tf_problem.empty()) {
+    throw InputError(names + ": " + tf_problem);
   }
   return reading;
 }

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "ros/conversion/ros_settings.h"
 #include "structure_from_wifi/mapper.h"
@@ -15,19 +16,31 @@ using BagTopics = std::map<std::string, std::string>;
 /// The inputs of bags, each under its name in the nodelet.
 BagTopics defaultBagTopics();
 
-/// Counts the observations of a bag.
+/// The bags of a recording.
+struct BagSource {
+  std::vector<std::string> files;  ///< in any order
+  std::string tf_topic;            ///< of the transforms; empty: findTransformTopic
+};
+
+/// Counts the observations of bags.
 struct BagReading {
   std::size_t observations = 0;                 ///< readings and contacts found
   std::size_t unlocated = 0;                    ///< of these, those without a transform
   std::string tf_error;                         ///< of the last one without a transform
+  std::vector<std::string> frames;              ///< all frames of the transforms
+  std::string odom_frame;                       ///< as odometryFrame finds it
   std::map<std::string, std::size_t> rejected;  ///< readings and clouds left out, by problem
   std::map<std::string, std::string> problems;  ///< the last one of each topic of a radio
 };
 
-/// Inserts the readings and contacts of a bag into a mapper. The bag's tf is read first, so the
-/// order of recording does not matter.
-/// @throw InputError naming the file if it cannot be read or has no reading.
-BagReading readBag(const std::string& file, const BagTopics& topics,
-                   const MappingSettings& settings, Mapper& mapper);
+/// Names bags in a message: the first one, and how many more there are.
+std::string namesOf(const std::vector<std::string>& files);
+
+/// Inserts readings, contacts and the path between readings into a mapper. All transforms are read
+/// first, so the order of recording does not matter, nor which bag has the static ones.
+/// @throw InputError naming the file if it cannot be read, or the first file if there is no reading
+/// or no transform.
+BagReading readBags(const BagSource& source, const BagTopics& topics,
+                    const MappingSettings& settings, Mapper& mapper);
 
 }  // namespace sfw

@@ -48,7 +48,7 @@ Conversion convertAnyContactPoints(const AnyMessage& message, const InputContext
 struct Input {
   const char* topic;       ///< of the nodelet; a bag has it under this name by default
   bool is_radio;           ///< it brings readings
-  const char* bag_option;  ///< of `sfw map` for the topic in a bag; nullptr: not read from bags
+  const char* bag_option;  ///< of `sfw map` for the topic in a bag
   const char* meaning;     ///< of the topic, for `sfw map --help`
   Conversion (*convert)(const AnyMessage&, const InputContext&);
 };
@@ -58,7 +58,7 @@ inline constexpr std::array<Input, 4> kInputs{{
     {"wifi_scan", true, "scan-topic", "topic of scans in the bag", convertReadings},
     {"connection", true, "connection-topic", "topic of wireless_msgs/Connection in the bag",
      convertReadings},
-    {"contact", false, nullptr, "", convertAnyContact},
+    {"contact", false, "bumper-topic", "topic of std_msgs/Bool in the bag", convertAnyContact},
     {"contact_points", false, "contact-topic", "topic of sensor_msgs/PointCloud2 in the bag",
      convertAnyContactPoints},
 }};

@@ -1,0 +1,76 @@
+#include "cli/bag_options.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "cli/warnings.h"
+#include "ros/conversion/input_messages.h"
+#include "ros/mapping/localization.h"
+
+namespace sfw {
+namespace {
+
+std::string listed(const std::vector<std::string>& words) {
+  constexpr std::size_t kMost = 20;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(words.size(), kMost); ++i) {
+    text += (text.empty() ? "" : ", ") + words[i];
+  }
+  return words.empty() ? "none" : text + (words.size() > kMost ? ", ..." : "");
+}
+
+void replaceIfGiven(const std::string& given, std::string& frame) {
+  frame = given.empty() ? frame : plainFrame(given);
+}
+
+}  // namespace
+
+void BagOptions::declare(Options& options) {
+  options.addList("bag", "FILE", source.files,
+                  "bag with /tf and scans; several for a recording that was split");
+  for (const Input& input : kInputs) {
+    options.add(input.bag_option, "TOPIC", topics[input.topic], input.meaning);
+  }
+  options.add("tf-topic", "TOPIC", source.tf_topic,
+              "transforms in the bag; default: tf in the namespace of the scans, or else /tf");
+  options.add("map-frame", "FRAME", map_frame, "for a bag; default: the setting ros/map_frame");
+  options.add("antenna-frame", "FRAME", antenna_frame,
+              "for a bag; default: the setting ros/antenna_frame");
+  options.add("odom-frame", "FRAME", odom_frame,
+              "for a bag; default: the setting ros/odom_frame, or else the frame of the odometry "
+              "in tf");
+}
+
+RosSettings BagOptions::applied(RosSettings settings) const {
+  replaceIfGiven(map_frame, settings.map_frame);
+  replaceIfGiven(antenna_frame, settings.antenna_frame);
+  replaceIfGiven(odom_frame, settings.odom_frame);
+  return settings;
+}
+
+void insertBags(const BagOptions& options, const MappingSettings& settings, Mapper& mapper) {
+  const BagReading reading = readBags(options.source, options.topics, settings, mapper);
+  const std::string bags = namesOf(options.source.files);
+  for (const auto& [problem, count] : reading.rejected) {
+    mapper.recordRejected(problem, count);
+    warn(bags + ": " + std::to_string(count) + " readings or contacts left out: " + problem);
+  }
+  const std::vector<std::string>& frames = reading.frames;
+  if (reading.unlocated > 0) {
+    mapper.recordRejected("no transform at their stamp", reading.unlocated);
+    warn(bags + ": " + std::to_string(reading.unlocated) +
+         " readings left out: the bag has no transform from " + settings.ros.antenna_frame +
+         " to " + settings.ros.map_frame +
+         " at their stamp; name the frames with --antenna-frame and " +
+         "--map-frame. Frames of the bag: " + listed(frames) + ". tf's error: " + reading.tf_error);
+  }
+  if (!reading.odom_frame.empty() &&
+      std::find(frames.begin(), frames.end(), reading.odom_frame) == frames.end()) {
+    warn(bags + ": the bag has no frame " + reading.odom_frame +
+         " (--odom-frame), so corrections by the localisation do not move the past. Frames of the "
+         "bag: " +
+         listed(frames));
+  }
+}
+
+}  // namespace sfw
