@@ -1,5 +1,6 @@
 // The mapping nodelet in this process with a localisation that corrects the odometry on the way.
 
+#include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
 #include <nav_msgs/Path.h>
 #include <structure_from_wifi/AccessPoints.h>
@@ -99,6 +100,37 @@ TEST_F(CorrectedPathTest, StaysWhereTfSaidIfTheOdometrysFrameIsTheMaps) {
   closeLoop();
   sendScan(0.2 * kSteps, {{kNear, -50.0F}});
   EXPECT_NEAR(largestOffset(kSteps + 1), kDrift * kStepWay * (kSteps - 1), 1e-3);
+}
+
+TEST_F(CorrectedPathTest, TellsOfTwoPublishersAndDoesNotTakeThemForLoopClosures) {
+  std::string told;
+  const ros::Subscriber diagnostics = ros::NodeHandle().subscribe<diagnostic_msgs::DiagnosticArray>(
+      "/diagnostics", 10, [&](const diagnostic_msgs::DiagnosticArrayConstPtr& array) {
+        for (const diagnostic_msgs::DiagnosticStatus& status : array->status) {
+          told += status.name.find("transforms") != std::string::npos ? status.message : "";
+        }
+      });
+  load();
+  for (int i = 0; i < kSteps; ++i) {
+    sendPoses(0.2 * i, kStepWay * i, 0.0, i % 2);
+    sendScan(0.2 * i, {{kNear, -50.0F}});
+  }
+  std::size_t aside = 0;
+  for (const std::string& row : rows(kSteps)) {
+    std::istringstream fields(row);
+    double stamp = 0.0, x = 0.0, y = 0.0;
+    fields >> stamp >> x >> y;
+    EXPECT_TRUE(y == 0.0 || y == 1.0) << "was moved to " << y;
+    aside += y == 1.0 ? 1 : 0;
+  }
+  EXPECT_EQ(aside, kSteps / 2U);
+  EXPECT_TRUE(spinUntil(
+      [&] {
+        return told.find("Two programs publish the transform from map to odom") !=
+               std::string::npos;
+      },
+      10.0))
+      << told;
 }
 
 TEST_F(CorrectedPathTest, PublishesTheAccessPoints) {

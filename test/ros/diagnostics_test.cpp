@@ -99,6 +99,17 @@ TEST(Diagnostics, TellOfTreesApartAndOldTransforms) {
   expectStatus(described(describeTransforms, status), kOk, "");
 }
 
+TEST(Diagnostics, TellOfATransformWithTwoPublishers) {
+  MappingStatus status = hearing();
+  status.frames.published_twice = "map to odom";
+  status.frames.flips = 12;
+  status.transform.odom_frame = "odom";
+  const DiagnosticStatusWrapper described_status = described(describeTransforms, status);
+  expectStatus(described_status, kWarn, "Two programs publish the transform from map to odom.");
+  EXPECT_EQ(valueOf(described_status, "transforms to and fro"), "12");
+  EXPECT_EQ(valueOf(described_status, "frame of the odometry"), "odom");
+}
+
 TEST(Diagnostics, TellOfAMissingClock) {
   MappingStatus status = silent();
   status.is_clock_missing = true;
