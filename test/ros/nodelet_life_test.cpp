@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 #include <malloc.h>
-#include <nav_msgs/GetMap.h>
-#include <std_srvs/Trigger.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <atomic>
@@ -95,8 +92,7 @@ TEST_F(NodeletLifeTest, AHundredLivesInTrafficLeaveNothingBehind) {
     }
   }
   EXPECT_LT(longest_s, 1.0 * kSlowdown);
-  constexpr std::ptrdiff_t kPool =
-      3;  // connections to the master that roscpp keeps for half a minute
+  constexpr std::ptrdiff_t kPool = 3;  // connections to the master, which roscpp keeps a while
   EXPECT_TRUE(returnsTo(before.descriptors + kPool, [] { return Holdings::now().descriptors; }))
       << Holdings::now().descriptors << " descriptors, " << before.descriptors << " before";
   EXPECT_TRUE(returnsTo(before.threads, [] { return Holdings::now().threads; }))
@@ -107,92 +103,6 @@ TEST_F(NodeletLifeTest, AHundredLivesInTrafficLeaveNothingBehind) {
   if (kSlowdown == 1.0) {  // a sanitizer has an allocator of its own
     EXPECT_LT(growth_kib, 10.0) << "of the heap, a life";
   }
-}
-
-TEST_F(NodeletLifeTest, ServicesInTrafficServeWholeMaps) {
-  const double seconds = kSlowdown >= 10.0 ? 60.0 : 5.0;  // with the thread sanitizer
-  load();
-  startTraffic();
-  ASSERT_TRUE(mapsSomething());
-  const ros::SteadyTime end = ros::SteadyTime::now() + ros::WallDuration(seconds);
-  std::atomic<int> resets{0}, saves{0};
-  const auto untilTheEnd = [&](const std::function<void()>& call) {
-    return std::thread([&end, call] {
-      while (ros::SteadyTime::now() < end) {
-        call();
-      }
-    });
-  };
-  std::thread saving = untilTheEnd([&] {
-    structure_from_wifi::SaveMap call;
-    call.request.directory = "saved";
-    EXPECT_TRUE(ros::service::call(name_ + "/mapping/save_map", call));
-    saves += call.response.success ? 1 : 0;
-  });
-  std::thread resetting = untilTheEnd([&] {
-    std_srvs::Trigger call;
-    EXPECT_TRUE(ros::service::call(name_ + "/mapping/reset", call));
-    resets += call.response.success ? 1 : 0;
-    ros::WallDuration(0.3).sleep();
-  });
-  StaticLayer served;
-  while (ros::SteadyTime::now() < end) {
-    nav_msgs::GetMap call;
-    EXPECT_TRUE(ros::service::call(name_ + "/dynamic_map", call));
-    EXPECT_TRUE(served.accept(call.response.map));
-    ros::spinOnce();  // the layer of this world takes the published ones
-  }
-  saving.join();
-  resetting.join();
-  EXPECT_GT(served.maps(), 10U);
-  EXPECT_GT(resets, 2);
-  EXPECT_GT(saves, 0);
-  EXPECT_LT(secondsToUnload(), 1.0 * kSlowdown);
-}
-
-/// User and system time of this process [s].
-double cpuSeconds() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& time) {
-    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
-TEST_F(NodeletLifeTest, FiftyAccessPointsTenTimesASecondTakeLessThanACore) {
-  if (kSlowdown > 1.0) {
-    GTEST_SKIP() << "a sanitizer takes several times the processor's time";
-  }
-  std::vector<std::tuple<std::string, double, double>> table;
-  Readings scan;
-  for (int i = 0; i < 50; ++i) {
-    char bssid[18];
-    std::snprintf(bssid, sizeof bssid, "02:00:00:00:01:%02x", i);
-    table.emplace_back(bssid, 2.0 + 5.0 * (i % 10), 2.0 + 11.0 * (i / 10));
-    scan.emplace_back(bssid, -50.0F - static_cast<float>(i % 30));
-  }
-  ros::param::set(name_ + "/mapping/access_points", tableOf(table));
-  ros::param::set(name_ + "/mapping/map/growth_step", 50.0);  // 1000 x 1000 cells
-  ros::param::set(name_ + "/mapping/ros/publish_rate", 1.0);
-  load();
-  ASSERT_TRUE(spinUntil([&] { return map_ != nullptr; }, 30.0));
-  EXPECT_EQ(map_->info.width, 1000U);
-  EXPECT_EQ(map_->info.height, 1000U);
-  constexpr double kSeconds = 20.0;
-  const double cpu_s = cpuSeconds();
-  const ros::SteadyTime start = ros::SteadyTime::now();
-  for (int i = 0; (ros::SteadyTime::now() - start).toSec() < kSeconds; ++i) {
-    ros::Time::setNow(at(0.1 * i));
-    sendPose(0.1 * i, 1.0 + 0.03 * i, 1.0 + 5.0 * ((i / 100) % 2));
-    sendScan(0.1 * i, scan);
-    spinUntil([&] { return (ros::SteadyTime::now() - start).toSec() > 0.1 * (i + 1); }, 0.1);
-  }
-  const double share = (cpuSeconds() - cpu_s) / (ros::SteadyTime::now() - start).toSec();
-  RecordProperty("percent_of_a_core", static_cast<int>(100.0 * share));
-  EXPECT_LT(share, 1.0);
-  EXPECT_TRUE(
-      spinUntil([&] { return std::count(map_->data.begin(), map_->data.end(), 0) > 100; }, 30.0));
 }
 
 }  // namespace
