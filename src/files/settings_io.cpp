@@ -40,7 +40,8 @@ void readSettings(SettingsTree& tree, Config& config) {
 
 ConfigReading configFromYaml(const YAML::Node& node) {
   SettingsTree tree(node);
-  tree.dropGroup("ros");  // of the nodelet, which reads the same file
+  tree.dropGroup("ros");  // of the nodelet, which reads the same file; so is the next one
+  tree.dropGroup("scan_format");
   ConfigReading reading;
   readSettings(tree, reading.config);
   tree.problems().throwIfAny();

@@ -1,12 +1,15 @@
 // Messages of every input, with fields of any content, and their way to readings.
 
 #include <sensor_msgs/point_cloud2_iterator.h>
+#include <structure_from_wifi/WifiScan.h>
+#include <wireless_msgs/Connection.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
 #include "fuzz_target.h"
+#include "ros/any_message_of.h"
 #include "ros/conversion/input_messages.h"
 #include "ros/mapping/localization.h"
 
@@ -87,6 +90,27 @@ void fill(sensor_msgs::PointCloud2& cloud, Fields& fields) {
   cloud.data.assign(fields.rest().begin(), fields.rest().end());
 }
 
+const InputContext kContext{ros::Time(5.0), "base_link", 0.15};
+
+template <class Message>
+Conversion converted(std::string_view topic, Fields& fields) {
+  Message message;
+  fill(message, fields);
+  const auto* input = std::find_if(kInputs.begin(), kInputs.end(),
+                                   [&](const Input& known) { return known.topic == topic; });
+  require(input != kInputs.end());
+  return input->convert(anyMessageOf(message), kContext);
+}
+
+/// A message of any definition and bytes, of a type that is known or not.
+AnyMessage anyMessage(Fields& fields) {
+  AnyMessage message;
+  message.type = fields.text();
+  message.definition = fields.next(fields.number<std::uint16_t>());
+  message.bytes.assign(fields.rest().begin(), fields.rest().end());
+  return message;
+}
+
 void check(const Conversion& conversion, const tf2::BufferCore& transforms) {
   for (const Observation& observation : conversion.observations) {
     std::string tf_error;
@@ -152,6 +176,9 @@ std::vector<std::string> seeds() {
                       numberField<std::int16_t>(-50), numberField(2.437)}),
       '\2' + std::string(1, '\1'),
       '\3' + cloudSeed(),
+      '\4' + bytesOf({textField("rf_msgs/Station"), numberField<std::uint16_t>(28),
+                      "uint8[6] mac\nint32 rssi # a\n", std::string("\2\0\0\0\0\1", 6),
+                      numberField<std::int32_t>(-50)}),
   };
 }
 
@@ -162,18 +189,19 @@ void feed(std::string_view input) {
   static tf2::BufferCore transforms;
   static const bool filled = (fill(transforms), true);
   require(filled);
-  const std::size_t chosen = static_cast<unsigned char>(input.front());
-  std::size_t inputs = 0;
-  forEachInput([&](const auto&) { ++inputs; });
-  std::size_t index = 0;
-  forEachInput([&](const auto& kind) {
-    if (index++ == chosen % inputs) {
-      Fields fields(input.substr(1));
-      typename std::decay_t<decltype(kind)>::Message message;
-      fill(message, fields);
-      check(kind.convert(message, {ros::Time(5.0), "base_link", 0.15}), transforms);
-    }
-  });
+  Fields fields(input.substr(1));
+  switch (static_cast<unsigned char>(input.front()) % 5) {
+    case 0:
+      return check(converted<structure_from_wifi::WifiScan>("wifi_scan", fields), transforms);
+    case 1:
+      return check(converted<wireless_msgs::Connection>("connection", fields), transforms);
+    case 2:
+      return check(converted<std_msgs::Bool>("contact", fields), transforms);
+    case 3:
+      return check(converted<sensor_msgs::PointCloud2>("contact_points", fields), transforms);
+    default:
+      return check(convertReadings(anyMessage(fields), kContext), transforms);
+  }
 }
 
 }  // namespace sfw::fuzz

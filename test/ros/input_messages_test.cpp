@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 #include <sensor_msgs/point_cloud2_iterator.h>
 #include <std_msgs/String.h>
+#include <structure_from_wifi/WifiScan.h>
 #include <tf2/buffer_core.h>
+#include <wireless_msgs/Connection.h>
 
 #include <array>
 #include <cmath>
@@ -13,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "any_message_of.h"
 #include "ros/mapping/observation_queue.h"
 
 namespace sfw {
@@ -36,42 +39,49 @@ TEST(InputMessages, HaveOneTopicEach) {
   EXPECT_EQ(topics.size(), kInputs.size());
 }
 
-/// A message as a connection or a bag holds it.
-template <class Message>
-AnyMessage anyMessage(const Message& message) {
-  namespace traits = ros::message_traits;
-  AnyMessage any{traits::datatype<Message>(), traits::md5sum<Message>(),
-                 traits::definition<Message>(),
-                 std::vector<std::uint8_t>(ros::serialization::serializationLength(message))};
-  ros::serialization::OStream stream(any.bytes.data(),
-                                     static_cast<std::uint32_t>(any.bytes.size()));
-  ros::serialization::serialize(stream, message);
-  return any;
-}
-
 TEST(InputMessages, NameTheTypeThatATopicCannotHave) {
   for (const Input& input : kInputs) {
-    const Conversion conversion = input.convert(anyMessage(std_msgs::String()), kContext);
+    const Conversion conversion = input.convert(anyMessageOf(std_msgs::String()), kContext);
     EXPECT_TRUE(conversion.observations.empty());
     EXPECT_EQ(conversion.rejected, 1U) << input.topic;
     EXPECT_NE(conversion.problem.find("type std_msgs/String"), std::string::npos) << input.topic;
   }
 }
 
-TEST(InputMessages, RejectAnotherVersionOfATypeAndBytesCutShort) {
-  AnyMessage message = anyMessage(structure_from_wifi::WifiScan());
-  message.bytes.pop_back();
-  EXPECT_EQ(convertReadings(message, kContext).rejected, 1U);
+TEST(InputMessages, RejectBytesThatAreNoMessageOfTheType) {
+  structure_from_wifi::WifiScan scan;
+  scan.readings = {apReading("02:00:00:00:00:01", -40.0F, 0.0)};
+  for (const int change : {-1, 1}) {
+    AnyMessage message = anyMessageOf(scan);
+    message.bytes.resize(message.bytes.size() + static_cast<std::size_t>(change));
+    const Conversion conversion = convertReadings(message, kContext);
+    EXPECT_EQ(conversion.rejected, 1U) << change;
+    EXPECT_TRUE(conversion.observations.empty()) << change;
+    EXPECT_NE(conversion.problem.find("cannot be read"), std::string::npos) << conversion.problem;
+  }
+}
+
+TEST(InputMessages, RejectAnotherVersionOfAContact) {
+  AnyMessage message = anyMessageOf(std_msgs::Bool());
   message.md5[0] = message.md5[0] == '0' ? '1' : '0';
-  const Conversion conversion = convertReadings(message, kContext);
+  const Conversion conversion = convertAnyContact(message, kContext);
+  EXPECT_EQ(conversion.rejected, 1U);
   EXPECT_NE(conversion.problem.find("another version"), std::string::npos) << conversion.problem;
+}
+
+TEST(InputMessages, MakeNoRoomForElementsThatDoNotCome) {
+  AnyMessage message = anyMessageOf(sensor_msgs::PointCloud2());
+  constexpr std::size_t kFieldCount = 4 + 8 + 4 + 4 + 4;  // after header, height and width
+  message.bytes[kFieldCount + 2] = 0xff;                  // 16 million fields
+  EXPECT_NE(convertAnyContactPoints(message, kContext).problem.find("cannot be read"),
+            std::string::npos);
 }
 
 TEST(InputMessages, TakeALinkOnTheTopicOfScans) {
   wireless_msgs::Connection connection;
   connection.bssid = "02:00:00:00:00:01";
   connection.signal_level = -55;
-  EXPECT_EQ(convertReadings(anyMessage(connection), kContext).observations.size(), 1U);
+  EXPECT_EQ(convertReadings(anyMessageOf(connection), kContext).observations.size(), 1U);
 }
 
 TEST(InputMessages, TakeEachReadingOfAScanAtItsOwnTime) {
@@ -79,7 +89,7 @@ TEST(InputMessages, TakeEachReadingOfAScanAtItsOwnTime) {
   scan.header.stamp = ros::Time(50.0);
   scan.readings = {apReading("02:00:00:00:00:01", -40.5F, 0.0),
                    apReading("02:00:00:00:00:02", -60.0F, 1.5)};
-  const Conversion conversion = convertScan(scan, kContext);
+  const Conversion conversion = convertReadings(anyMessageOf(scan), kContext);
   EXPECT_EQ(conversion.problem, "");
   ASSERT_EQ(conversion.observations.size(), 2U);
   EXPECT_EQ(conversion.observations[0].stamp, ros::Time(50.0));
@@ -96,7 +106,7 @@ TEST(InputMessages, RejectMalformedReadingsOfAScan) {
   }
   scan.readings.push_back(apReading("not a bssid", -40.0F, 0.0));
   scan.readings.push_back(apReading("02:00:00:00:00:01", -40.0F, 0.0));
-  const Conversion conversion = convertScan(scan, kContext);
+  const Conversion conversion = convertReadings(anyMessageOf(scan), kContext);
   ASSERT_EQ(conversion.observations.size(), 1U);
   EXPECT_EQ(conversion.observations[0].stamp, kContext.received);  // the scan has no stamp
   EXPECT_EQ(conversion.rejected, 5U);
@@ -106,18 +116,18 @@ TEST(InputMessages, RejectMalformedReadingsOfAScan) {
 TEST(InputMessages, TakeAtMost1000ReadingsOfAScan) {
   structure_from_wifi::WifiScan scan;
   scan.readings.assign(1200, apReading("02:00:00:00:00:01", -40.0F, 0.0));
-  const Conversion conversion = convertScan(scan, kContext);
+  const Conversion conversion = convertReadings(anyMessageOf(scan), kContext);
   EXPECT_EQ(conversion.observations.size(), 1000U);
   EXPECT_EQ(conversion.rejected, 200U);
 }
 
 TEST(InputMessages, TakeTheLinkOfAnAssociatedRadio) {
   wireless_msgs::Connection connection;
-  EXPECT_TRUE(convertConnection(connection, kContext).observations.empty());
-  EXPECT_NE(convertConnection(connection, kContext).problem, "");
+  EXPECT_TRUE(convertReadings(anyMessageOf(connection), kContext).observations.empty());
+  EXPECT_NE(convertReadings(anyMessageOf(connection), kContext).problem, "");
   connection.bssid = "02:00:00:00:00:01";
   connection.signal_level = -55;
-  const Conversion conversion = convertConnection(connection, kContext);
+  const Conversion conversion = convertReadings(anyMessageOf(connection), kContext);
   ASSERT_EQ(conversion.observations.size(), 1U);
   EXPECT_EQ(conversion.observations[0].stamp, kContext.received);
   EXPECT_EQ(std::get<UnlocatedReading>(conversion.observations[0].content).rssi_dbm, -55.0);

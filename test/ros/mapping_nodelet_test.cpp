@@ -12,6 +12,7 @@
 #include <limits>
 #include <thread>
 
+#include "any_message_of.h"
 #include "mapping_nodelet_world.h"
 #include "ros/conversion/input_messages.h"
 #include "support/slowdown.h"
@@ -117,8 +118,9 @@ TEST_F(MappingNodeletTest, AHugeScanIsCappedAndHoldsNobodyUp) {
   sendScan(0.0, readings);
   EXPECT_EQ(rows(1000).size(), 1000U);
 
+  const AnyMessage message = anyMessageOf(scanOf(readings));
   const ros::WallTime start = ros::WallTime::now();
-  const Conversion conversion = convertScan(scanOf(readings), {at(0.0), "base_link", 0.15});
+  const Conversion conversion = convertReadings(message, {at(0.0), "base_link", 0.15});
   EXPECT_LT((ros::WallTime::now() - start).toSec(), 0.05 * kSlowdown);
   EXPECT_EQ(conversion.observations.size(), 1000U);
   EXPECT_EQ(conversion.rejected, 9000U);

@@ -50,6 +50,22 @@ class Node(unittest.TestCase):
         status = node.wait(10)
         return status, time.monotonic() - start
 
+    def publish(self, *arguments):
+        return self.session.start("rostopic", "rostopic", "pub", *arguments)
+
+    def test_takes_the_right_type_after_a_wrong_one(self):
+        self.publish("-l", "/tf_static", "tf2_msgs/TFMessage",
+                     "{transforms: [{header: {frame_id: map}, child_frame_id: base_link,"
+                     " transform: {rotation: {w: 1.0}}}]}")
+        node = self.start({"access_points": TABLE})
+        wrong = self.publish("-r", "10", "/wifi_scan", "std_msgs/String", "data: text")
+        wait_until(lambda: "its messages are of type std_msgs/String" in self.session.text_of(node),
+                   30, "the wrong type in the log")
+        self.session.stop(wrong)
+        self.publish("-r", "10", "/wifi_scan", "structure_from_wifi/WifiScan",
+                     "readings: [{bssid: '%s', rssi_dbm: -50.0}]" % TABLE[0]["bssid"])
+        wait_until(lambda: "The first reading" in self.session.text_of(node), 30, "a reading")
+
     def test_names_every_bad_parameter(self):
         self.refuses(
             {"access_points": TABLE, "map": {"resolution": 0.0, "margin": float("nan")},

@@ -83,8 +83,8 @@ TEST_F(NodeletDiagnosticsTest, LogsTellEachCauseOnce) {
   sendScan(0.0, {{kFar, -60.0F}});
   EXPECT_EQ(rows(1).size(), 1U);
   EXPECT_TRUE(logs(rosgraph_msgs::Log::WARN, "100 readings rejected so far: rssi_dbm is not in"));
-  EXPECT_TRUE(logs(rosgraph_msgs::Log::WARN, "bssid or age_s is malformed"));
-  EXPECT_EQ(logged(rosgraph_msgs::Log::WARN, "bssid or age_s is malformed"), 1);
+  EXPECT_TRUE(logs(rosgraph_msgs::Log::WARN, "a BSSID is malformed"));
+  EXPECT_EQ(logged(rosgraph_msgs::Log::WARN, "a BSSID is malformed"), 1);
   EXPECT_LE(logged(rosgraph_msgs::Log::WARN, "rssi_dbm is not in"), 3);
 }
 

@@ -66,6 +66,7 @@ Names described(const MappingSettings& settings) {
   };
   forEachSetting(settings.config, describe);
   forEachRosSetting(settings.ros, describe);
+  forEachScanSetting(settings.scan, describe);
   return described;
 }
 
@@ -74,13 +75,16 @@ TEST(MappingSettings, TheShippedFileHoldsEverySettingWithItsDefault) {
   const MappingSettings settings = readMappingSettings(file);
   EXPECT_EQ(settings.warnings, Names());
   EXPECT_EQ(described(settings), described(MappingSettings()));
-  const YAML::Node group = YAML::LoadFile(file)["ros"];
+  const YAML::Node tree = YAML::LoadFile(file);
   std::size_t count = 0;
-  forEachRosSetting(settings.ros, [&](const std::string& name, const auto&) {
-    EXPECT_TRUE(group[name.substr(name.find('/') + 1)]) << name;
+  const auto look = [&](const std::string& name, const auto&) {
+    const std::size_t slash = name.find('/');
+    EXPECT_TRUE(tree[name.substr(0, slash)][name.substr(slash + 1)]) << name;
     ++count;
-  });
-  EXPECT_EQ(group.size(), count);
+  };
+  forEachRosSetting(settings.ros, look);
+  forEachScanSetting(settings.scan, look);
+  EXPECT_EQ(tree["ros"].size() + tree["scan_format"].size(), count);
 }
 
 TEST(MappingSettings, ParametersGiveBothGroups) {

@@ -106,7 +106,10 @@ BagReading read(const BagFiles& bags, const std::string& tf_topic, const BagTopi
   transforms._getFrameStrings(reading.frames);
   reading.odom_frame = odometryFrame(settings.ros, transforms);
   Insertion insertion(settings, transforms, mapper);
-  InputContext context{{}, settings.ros.antenna_frame, settings.config.path.footprint_radius_m};
+  InputContext context{{},
+                       settings.ros.antenna_frame,
+                       settings.config.path.footprint_radius_m,
+                       toScanFormat(settings.scan)};
   for (const rosbag::MessageInstance& message : view) {
     const Input* input = inputOf(message.getTopic(), topics);
     if (input == nullptr) {

@@ -3,14 +3,13 @@
 #include <ros/time.h>
 #include <sensor_msgs/PointCloud2.h>
 #include <std_msgs/Bool.h>
-#include <structure_from_wifi/WifiScan.h>
-#include <wireless_msgs/Connection.h>
 
 #include <array>
 #include <string>
 
 #include "ros/conversion/any_message.h"
 #include "ros/conversion/observation.h"
+#include "ros/conversion/scan_format.h"
 
 namespace sfw {
 
@@ -19,15 +18,8 @@ struct InputContext {
   ros::Time received;  ///< replaces a missing stamp
   std::string antenna_frame;
   double footprint_radius_m = 0.0;
+  ScanFormat scan_format = {};  ///< of the settings
 };
-
-/// Converts the readings of a scan. The time of each reading is the stamp minus its age.
-Conversion convertScan(const structure_from_wifi::WifiScan& scan, const InputContext& context);
-
-/// Converts the signal strength of a link, at the time of arrival. A radio that is not associated
-/// has none.
-Conversion convertConnection(const wireless_msgs::Connection& connection,
-                             const InputContext& context);
 
 /// Converts a bumper without direction to a contact ahead of the antenna, at the robot's rim.
 Conversion convertContact(const std_msgs::Bool& contact, const InputContext& context);
@@ -56,7 +48,7 @@ struct Input {
 /// All inputs, live and in bags.
 inline constexpr std::array<Input, 4> kInputs{{
     {"wifi_scan", true, "scan-topic", "topic of scans in the bag", convertReadings},
-    {"connection", true, "connection-topic", "topic of wireless_msgs/Connection in the bag",
+    {"connection", true, "connection-topic", "topic of the associated link in the bag",
      convertReadings},
     {"contact", false, "bumper-topic", "topic of std_msgs/Bool in the bag", convertAnyContact},
     {"contact_points", false, "contact-topic", "topic of sensor_msgs/PointCloud2 in the bag",

@@ -60,9 +60,11 @@ MappingSettings mappingSettingsFromYaml(const YAML::Node& node) {
   tree.dropGroup("live");                 // of dynamic_reconfigure
   readSettings(tree, settings.config);
   forEachRosSetting(settings.ros, [&](const char* name, auto& value) { tree.read(name, value); });
+  forEachScanSetting(settings.scan, [&](const char* name, auto& value) { tree.read(name, value); });
   std::vector<std::string> slashes;
   stripSlashes(settings.ros, slashes);
   tree.problems().add(validate(settings.ros));
+  tree.problems().add(validate(settings.scan));
   tree.problems().throwIfAny();
   settings.warnings = tree.warnings();
   settings.warnings.insert(settings.warnings.end(), slashes.begin(), slashes.end());

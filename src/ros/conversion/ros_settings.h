@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "ros/conversion/scan_settings.h"
 #include "structure_from_wifi/config.h"
 
 namespace YAML {
@@ -65,6 +66,7 @@ std::vector<std::string> validate(const RosSettings& settings);
 struct MappingSettings {
   Config config;
   RosSettings ros;
+  ScanSettings scan;
   std::vector<std::string> warnings;  ///< unknown names, each with the nearest known one
 };
 

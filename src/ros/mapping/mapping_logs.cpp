@@ -89,6 +89,7 @@ void MappingNodelet::diagnose() {
   status_ = status();
   diagnostics_->force_update();  // update() would stop with the simulated clock
   if (failure_.empty()) {
+    subscribeAnew();
     mapper_->recordFrames(status_.frames);
     announceMissingInput();
   }

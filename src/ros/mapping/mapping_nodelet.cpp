@@ -60,6 +60,7 @@ void MappingNodelet::loadParameters() {
   }
   config_ = reading.config;
   ros_settings_ = reading.ros;
+  scan_settings_ = reading.scan;
   const AccessPointReading table = accessPointsOfParameters(settings);
   for (const std::string& warning : table.warnings) {
     NODELET_WARN_STREAM(node.getNamespace() << "/" << warning);
@@ -93,8 +94,11 @@ void MappingNodelet::subscribe() {
     subscribers_.push_back(
         getNodeHandle().subscribe(topic, kQueue, &MappingNodelet::watchTransforms, this));
   }
+  const std::lock_guard<std::mutex> lock(subscribing_);
   for (const Input& input : kInputs) {
-    subscribeTo(input);
+    const std::string topic = getNodeHandle().resolveName(input.topic);
+    subscriptions_.push_back({&input, statistics_.add(topic, input.is_radio), {}, false});
+    subscribeTo(subscriptions_.back());
   }
 }
 
@@ -104,15 +108,24 @@ void MappingNodelet::watchTransforms(const ros::MessageEvent<tf2_msgs::TFMessage
   }
 }
 
-void MappingNodelet::subscribeTo(const Input& input) {
+void MappingNodelet::subscribeTo(Subscription& to) {
   constexpr std::uint32_t kQueue = 1000;
-  const std::size_t index =
-      statistics_.add(getNodeHandle().resolveName(input.topic), input.is_radio);
   const boost::function<void(const topic_tools::ShapeShifter::ConstPtr&)> callback =
-      [this, &input, index](const topic_tools::ShapeShifter::ConstPtr& message) {
-        receive(input, index, *message);
-      };
-  subscribers_.push_back(getNodeHandle().subscribe(input.topic, kQueue, callback));
+      [this, input = to.input, index = to.index](
+          const topic_tools::ShapeShifter::ConstPtr& message) { receive(*input, index, *message); };
+  to.subscriber = getNodeHandle().subscribe(to.input->topic, kQueue, callback);
+}
+
+void MappingNodelet::subscribeAnew() {
+  const std::lock_guard<std::mutex> lock(subscribing_);
+  for (Subscription& subscription : subscriptions_) {
+    const bool is_connected = subscription.subscriber.getNumPublishers() > 0;
+    if (subscription.was_connected && !is_connected) {
+      subscription.subscriber.shutdown();
+      subscribeTo(subscription);
+    }
+    subscription.was_connected = is_connected;
+  }
 }
 
 void MappingNodelet::receive(const Input& input, std::size_t index,
@@ -126,8 +139,9 @@ void MappingNodelet::receive(const Input& input, std::size_t index,
 }
 
 void MappingNodelet::convert(const Input& input, std::size_t index, const AnyMessage& message) {
-  Conversion conversion = input.convert(
-      message, {ros::Time::now(), ros_settings_.antenna_frame, config_.path.footprint_radius_m});
+  Conversion conversion =
+      input.convert(message, {ros::Time::now(), ros_settings_.antenna_frame,
+                              config_.path.footprint_radius_m, toScanFormat(scan_settings_)});
   statistics_.count(index, conversion, ros::SteadyTime::now().toSec());
   if (paused_) {
     return;

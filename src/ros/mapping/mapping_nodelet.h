@@ -77,7 +77,13 @@ class MappingNodelet : public nodelet::Nodelet {
   void advertiseLiveSettings();
   void subscribe();
 
-  void subscribeTo(const Input& input);
+  struct Subscription {
+    const Input* input = nullptr;
+    std::size_t index = 0;  ///< in statistics_
+    ros::Subscriber subscriber;
+    bool was_connected = false;
+  };
+  void subscribeTo(Subscription& to);
 
   // In the manager's threads.
   void watchTransforms(const ros::MessageEvent<tf2_msgs::TFMessage const>& event);
@@ -94,6 +100,8 @@ class MappingNodelet : public nodelet::Nodelet {
   /// Publishes diagnostics and warns of missing inputs, once a second.
   void diagnose();
   void announceMissingInput();
+  /// Subscribes again where the last publisher went: roscpp keeps its type, and refuses others.
+  void subscribeAnew();
   MappingStatus status() const;
   void noticeTimeJump(const ros::Time& now);
   bool serveMap(nav_msgs::GetMap::Response& response);
@@ -161,6 +169,7 @@ class MappingNodelet : public nodelet::Nodelet {
 
   Config config_;
   RosSettings ros_settings_;
+  ScanSettings scan_settings_;
   std::vector<AccessPoint> access_points_;
   std::optional<SharedMapper> mapper_;
   std::optional<ObservationQueue> queue_;
@@ -171,6 +180,8 @@ class MappingNodelet : public nodelet::Nodelet {
   TransformWatch transform_watch_;
   Floors floors_;
   std::vector<ros::Subscriber> subscribers_;
+  std::mutex subscribing_;                   // around the next member
+  std::vector<Subscription> subscriptions_;  // to the inputs
 
   ros::CallbackQueue quick_calls_, slow_calls_;  // outlive the servers that use them
   std::vector<ros::ServiceServer> servers_;

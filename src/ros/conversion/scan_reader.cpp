@@ -1,0 +1,279 @@
+#include "ros/conversion/scan_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "ros/conversion/field_path.h"
+#include "ros/conversion/message_layout.h"
+#include "ros/conversion/message_values.h"
+#include "ros/conversion/scan_values.h"
+
+namespace sfw {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr char kText[] = "std_msgs/String";
+constexpr double kHour = 3600.0;  // [s]; no cache of scans is older
+
+/// Makes readings of the values of one message.
+class ScanReader {
+ public:
+  ScanReader(const ScanFormat& format, const Json& message, const ros::Time& received)
+      : format_(format),
+        message_(message),
+        received_(received),
+        literal_(Bssid::parse(format.bssid)),
+        bssid_(format.bssid),
+        rssi_(format.rssi),
+        stamp_(format.stamp),
+        age_(format.age),
+        span_(format.span_ms),
+        fresh_(format.fresh),
+        kind_(format.kind) {}
+
+  Conversion read() {
+    constexpr std::size_t kMostReadings = 1000;  // far more than any radio hears
+    for (const auto& [reading, index] : readings()) {
+      if (conversion_.observations.size() == kMostReadings || reading->is_null()) {
+        reject("the message has more than 1000 readings");
+      } else {
+        take(*reading, index);
+      }
+    }
+    return std::move(conversion_);
+  }
+
+ private:
+  /// Each reading, with its index in lists beside one another.
+  std::vector<std::pair<const Json*, std::size_t>> readings() const {
+    std::vector<std::pair<const Json*, std::size_t>> readings;
+    if (!format_.readings.empty()) {
+      for (const Json* reading : FieldPath(format_.readings).elements(message_)) {
+        readings.emplace_back(reading, 0);
+      }
+      return readings;
+    }
+    const FieldPath& counted = bssid_.hasList() ? bssid_ : rssi_;
+    const std::size_t count = counted.hasList() ? counted.length(message_) : 1;
+    for (std::size_t i = 0; i < count; ++i) {
+      readings.emplace_back(&message_, i);
+    }
+    return readings;
+  }
+
+  void take(const Json& reading, std::size_t index) {
+    const auto value = [&](const FieldPath& path) { return find(path, reading, index); };
+    const Json* kind = value(kind_);
+    if (kind != nullptr && kind->is_string() && kind->get_ref<const std::string&>() != "WiFi") {
+      return;
+    }
+    const Json* fresh = value(fresh_);
+    if (fresh != nullptr && (*fresh == false || *fresh == 0)) {
+      return reject("the driver marks readings as old");
+    }
+    const std::optional<Bssid> bssid = literal_ ? literal_ : bssidOf(value(bssid_));
+    const std::optional<double> rssi = strengthOf(value(rssi_));
+    if (format_.is_link && (!bssid || !rssi)) {
+      conversion_.problem = "the radio is not associated";
+    } else if (!bssid) {
+      reject("a BSSID is malformed");
+    } else if (!rssi) {
+      reject("a signal strength is 0 or missing");
+    } else if (const std::optional<ros::Time> stamp = stampOf(reading, index)) {
+      conversion_.observations.push_back({*stamp, UnlocatedReading{*bssid, *rssi}});
+    } else {
+      reject("a reading has no usable time or age");
+    }
+  }
+
+  const Json* find(const FieldPath& path, const Json& reading, std::size_t index) const {
+    if (path.empty()) {
+      return nullptr;
+    }
+    const Json* value = path.find(reading, index);
+    return value != nullptr ? value : path.find(message_, index);
+  }
+
+  /// The strength [dBm]; of several values the mean, which does not grow with their number.
+  std::optional<double> strengthOf(const Json* value) const {
+    if (value == nullptr || !value->is_array()) {
+      const std::optional<double> number = numberOf(value);
+      return number && (*number != 0.0 || format_.has_zero_dbm)
+                 ? std::optional(toDbm(*number, format_.unit))
+                 : std::nullopt;
+    }
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (const Json& element : *value) {
+      const std::optional<double> number = numberOf(&element);
+      if (number && *number != 0.0) {
+        sum += toDbm(*number, format_.unit);
+        ++count;
+      }
+    }
+    return count > 0 ? std::optional(sum / static_cast<double>(count)) : std::nullopt;
+  }
+
+  /// The time of a reading; nothing if its age cannot be, or the clock does not run yet.
+  std::optional<ros::Time> stampOf(const Json& reading, std::size_t index) const {
+    ros::Time stamp = received_;
+    for (const Json* from : {&reading, &message_}) {
+      if (const std::optional<ros::Time> given = timeOf(stamp_.find(*from, index))) {
+        stamp = *given;
+        break;
+      }
+    }
+    const std::optional<double> span_ms = numberOf(find(span_, reading, index));
+    if (span_ms && *span_ms > 0.0 && *span_ms < 1e3 * kHour) {
+      stamp += ros::Duration(*span_ms / 2e3);
+    }
+    const Json* age = find(age_, reading, index);
+    const double age_s = age != nullptr ? numberOf(age).value_or(-1.0) * format_.age_unit_s : 0.0;
+    const bool can_be = age_s >= 0.0 && age_s < std::min(kHour, stamp.toSec());
+    return can_be ? std::optional(stamp - ros::Duration(age_s)) : std::nullopt;
+  }
+
+  /// A time, unless it is zero. A number is a time only within an hour of the receipt, since the
+  /// clock of its sender may be another one.
+  std::optional<ros::Time> timeOf(const Json* value) const {
+    if (value != nullptr && value->is_object()) {
+      return timeOfParts(*value);
+    }
+    const std::optional<double> number = numberOf(value);
+    const double seconds = number ? *number * format_.stamp_unit_s : 0.0;
+    if (!(seconds > 0.0 && std::abs(seconds - received_.toSec()) < kHour)) {
+      return std::nullopt;
+    }
+    return ros::Time(seconds);
+  }
+
+  void reject(const char* problem) {
+    ++conversion_.rejected;
+    if (conversion_.problem.empty()) {
+      conversion_.problem = problem;
+    }
+  }
+
+  const ScanFormat& format_;
+  const Json& message_;
+  const ros::Time received_;
+  const std::optional<Bssid> literal_;
+  const FieldPath bssid_, rssi_, stamp_, age_, span_, fresh_, kind_;
+  Conversion conversion_;
+};
+
+/// The first field that a format needs and a message lacks; empty if it has all.
+std::string missingField(const ScanFormat& format, const MessageLayout& layout) {
+  const MessageFields* reading = &layout.root();
+  if (!format.readings.empty()) {
+    reading = FieldPath(format.readings).listIn(layout);
+    if (reading == nullptr) {
+      return std::string(format.readings) + "[]";
+    }
+  }
+  for (const std::string_view path : {format.bssid, format.rssi, format.age, format.fresh}) {
+    const FieldPath field(path);
+    if (!field.empty() && !Bssid::parse(path) && !field.isIn(layout, *reading) &&
+        !field.isIn(layout, layout.root())) {
+      return std::string(path);
+    }
+  }
+  return "";
+}
+
+std::set<std::string> namesIn(const ScanFormat& format) {
+  std::set<std::string> names = {"sec", "nanosec"};  // of a time of ROS 2, which is a message
+  for (const std::string_view path : {format.readings, format.bssid, format.rssi, format.stamp,
+                                      format.age, format.span_ms, format.fresh, format.kind}) {
+    FieldPath(path).addNames(names);
+  }
+  return names;
+}
+
+Conversion problem(const AnyMessage& message, const std::string& what) {
+  return {{}, 1, "its messages are of type " + printableType(message) + ", " + what};
+}
+
+/// The formats for a message; that of the settings alone, if there is one.
+std::vector<const ScanFormat*> formatsOf(const AnyMessage& message, const ScanFormat& own) {
+  if (isFor(own, message.type)) {
+    return {&own};
+  }
+  std::vector<const ScanFormat*> formats;
+  for (const ScanFormat& format : kScanFormats) {
+    if (isFor(format, message.type)) {
+      formats.push_back(&format);
+    }
+  }
+  return formats;
+}
+
+/// Reads JSON in the text of a message.
+Conversion readText(const AnyMessage& message, const MessageLayout& layout,
+                    const ScanFormat& format, const ros::Time& received) {
+  const Json content = readValues(layout, message.bytes, {"data"});
+  const auto text = content.find("data");
+  constexpr bool kThrows = false;
+  const Json json = text != content.end() && text->is_string()
+                        ? Json::parse(text->get_ref<const std::string&>(), nullptr, kThrows)
+                        : Json(Json::value_t::discarded);
+  if (json.is_discarded() || !json.is_object()) {
+    return problem(message, "and its text is no JSON object");
+  }
+  const bool has_list =
+      FieldPath(format.readings).empty() || FieldPath(format.readings).find(json, 0) != nullptr;
+  if (!has_list) {
+    return problem(message, "and its JSON has no list '" + std::string(format.readings) +
+                                "'; describe it as scan_format");
+  }
+  return ScanReader(format, json, received).read();
+}
+
+}  // namespace
+
+std::string printableType(const AnyMessage& message) {
+  constexpr std::size_t kLongest = 100;
+  std::string type = message.type.substr(0, kLongest);
+  std::replace_if(
+      type.begin(), type.end(), [](unsigned char c) { return c <= ' ' || c > '~'; }, '?');
+  return type.empty() ? "unknown" : type;
+}
+
+Conversion readScan(const AnyMessage& message, const ScanFormat& own, const ros::Time& received) {
+  constexpr std::size_t kMostBytes = 4 * 1024 * 1024;
+  const std::vector<const ScanFormat*> formats = formatsOf(message, own);
+  if (formats.empty()) {
+    const std::string reason = whyNoReadings(message.type);
+    return problem(message, reason.empty() ? "which is unknown; describe it as scan_format"
+                                           : "which " + reason);
+  }
+  if (message.bytes.size() > kMostBytes) {
+    return problem(message, "and one has more than 4 MiB");
+  }
+  if (message.definition.empty()) {
+    return problem(message, "and their publisher does not send its definition");
+  }
+  const MessageLayout layout(message.type, message.definition);
+  if (message.type == kText) {
+    return readText(message, layout, *formats.front(), received);
+  }
+  std::string missing;
+  for (const ScanFormat* format : formats) {
+    const std::string lacks = missingField(*format, layout);
+    if (lacks.empty()) {
+      const Json values = readValues(layout, message.bytes, namesIn(*format));
+      return ScanReader(*format, values, received).read();
+    }
+    missing = missing.empty() ? lacks : missing;
+  }
+  return problem(message, "which has no field " + missing + "; describe it as scan_format");
+}
+
+}  // namespace sfw
