@@ -26,6 +26,7 @@ void feed(std::string_view input) {
   folder.write("access_points.yaml", files[2]);
   Config config;
   config.map.max_cells = 400'000;
+  config.method = "k_visibility";  // it loads no model, so each input has a mapper of its own
   AccessPoint known;
   known.bssid = *Bssid::parse("02:00:00:00:00:01");
   SharedMapper mapper(config, {known}, jumpTolerance({}));
