@@ -51,6 +51,7 @@ class Replay(unittest.TestCase):
         self.session.set_parameter("/mapping/method", "of an earlier launch")
         manager = "none" if workers is None else "manager"
         if workers is not None:
+            self.session.set_parameter("/use_sim_time", True)  # it starts before the launch file
             self.session.start("manager", "rosrun", "nodelet", "nodelet", "manager",
                                "__name:=manager", "_num_worker_threads:=%d" % workers)
         return self.session.start(
@@ -63,7 +64,8 @@ class Replay(unittest.TestCase):
     def replayed(self, rate, readings, table=TABLE, workers=None):
         """The folder that ~save_map fills once it has all readings."""
         shutil.rmtree(self.folder / "saved", ignore_errors=True)
-        launch = self.launch(rate, 1.5, table, workers)
+        # What comes before the nodelet listens is lost, and a manager takes long to load it.
+        launch = self.launch(rate, 1.5 if workers is None else 8, table, workers)
         saved = self.folder / "saved" / "all"
 
         def is_complete():
@@ -77,7 +79,7 @@ class Replay(unittest.TestCase):
             return len(table) - 1 >= readings
 
         try:
-            wait_until(is_complete, 40, "%d readings at rate %g" % (readings, rate))
+            wait_until(is_complete, 60, "%d readings at rate %g" % (readings, rate))
         except TimeoutError:
             print(self.session.text_of(launch))
             raise
