@@ -48,6 +48,24 @@ TEST(RosSettings, NumbersHaveTheirRanges) {
   EXPECT_EQ(brokenBy("ros/max_waiting", std::int64_t{1}), Names());
 }
 
+TEST(RosSettings, LimitsOfPosesAndTheAnswerToATimeJump) {
+  EXPECT_EQ(brokenBy("ros/max_tilt", 0.0), Names{"ros/max_tilt"});
+  EXPECT_EQ(brokenBy("ros/max_speed", -1e-9), Names{"ros/max_speed"});
+  EXPECT_EQ(brokenBy("ros/max_speed", 0.0), Names());
+  EXPECT_EQ(brokenBy("ros/on_time_jump", std::string("wait")), Names{"ros/on_time_jump"});
+  EXPECT_EQ(brokenBy("ros/on_time_jump", std::string("reset")), Names());
+}
+
+TEST(MappingSettings, FramesLoseTheirLeadingSlashWithAWarning) {
+  const MappingSettings settings =
+      mappingSettingsFromYaml(YAML::Load("ros: {map_frame: //map, antenna_frame: robot/wifi}"));
+  EXPECT_EQ(settings.ros.map_frame, "map");
+  EXPECT_EQ(settings.ros.antenna_frame, "robot/wifi");
+  EXPECT_EQ(settings.warnings,
+            Names{"ros/map_frame: frames of tf2 have no leading slash; '//map' is taken as 'map'"});
+  EXPECT_THROW(mappingSettingsFromYaml(YAML::Load("ros: {map_frame: /}")), InputError);
+}
+
 TEST(RosSettings, FramesAndTheDirectoryHaveNames) {
   for (const std::string name : {"ros/map_frame", "ros/antenna_frame"}) {
     EXPECT_EQ(brokenBy(name, std::string()), Names{name});
