@@ -19,6 +19,9 @@ constexpr std::int8_t kOccupiedCost = 100;  ///< of a wall or contact
 /// So a free cell costs the more, the likelier the robot touches something there. Its risk is the
 /// highest probability of being occupied within `footprint_radius_m` and 15 cm. The cost grows
 /// linearly with the risk and is kDearestCost from a risk of 1/4 on.
+///
+/// What the robot touches is seldom a single cell. So each contact stands for a wall of 0.4 m
+/// across the direction of the touch, except where the robot was.
 /// @param snapshot            a map
 /// @param footprint_radius_m  of the robot
 /// @return costs from 0 to 100, or kUnknownCost, on the cells of the map

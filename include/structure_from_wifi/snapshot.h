@@ -136,6 +136,8 @@ struct Snapshot {
   std::vector<WallSegment> walls = {};
 
   RecordingFindings recording = {};  ///< what is wrong with the recording
+
+  std::vector<Contact> contacts = {};  ///< in the order of arrival, without those driven over later
 };
 
 }  // namespace sfw

@@ -179,7 +179,7 @@ std::shared_ptr<const Snapshot> Mapper::infer(UseRadio use_radio,
       BeliefMap(result.occupied, config_.belief), BeliefMap(result.probability, config_.belief),
       std::move(inliers.path), std::move(access_points), store_->rejections(),
       std::move(result.tomography), inliers.stray, inliers.motion, inliers.stamped_alike, extent,
-      std::move(result.wall_segments), std::move(findings)});
+      std::move(result.wall_segments), std::move(findings), std::move(inliers.contacts)});
 }
 
 }  // namespace sfw

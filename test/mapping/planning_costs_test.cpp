@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 #include "grid/robot_evidence.h"
+#include "support/ascii_world.h"
 
 namespace sfw {
 namespace {
@@ -77,6 +81,53 @@ TEST_F(PlanningCosts, AreUnknownInAFreshMap) {
   const BeliefMap nothing(kGeometry, {});
   const Grid<std::int8_t> costs = planningCosts({nothing, nothing, {}, {}, {}}, kFootprintRadius);
   EXPECT_EQ(costs.cells, std::vector<std::int8_t>(kGeometry.size(), kUnknownCost));
+}
+
+/// The rows of the costs of walls after a touch: '#' is 100.
+std::vector<std::string> wallsAfterTouch(const Position& robot, const Position& contact) {
+  const GridGeometry geometry(0.1, {0.0, 0.0}, 9, 6);
+  const BeliefMap nothing(geometry, {});
+  Snapshot snapshot{nothing, nothing, {{1000, robot}}, {}, {}};
+  snapshot.contacts = {{1010, contact}};
+  return test::rowsOf(planningCosts(snapshot, 0.15),
+                      [](std::int8_t cost) { return cost == kOccupiedCost ? '#' : '.'; });
+}
+
+TEST(TouchedWalls, StandAcrossTheDirectionOfTheTouch) {
+  EXPECT_EQ(wallsAfterTouch({0.45, 0.2}, {0.45, 0.35}),
+            (std::vector<std::string>{".........",  //
+                                      ".........",  //
+                                      "..#####..",  //
+                                      ".........",  //
+                                      ".........",  //
+                                      "........."}));
+  EXPECT_EQ(wallsAfterTouch({0.3, 0.35}, {0.45, 0.35}),
+            (std::vector<std::string>{"....#....",  //
+                                      "....#....",  //
+                                      "....#....",  //
+                                      "....#....",  //
+                                      "....#....",  //
+                                      "........."}));
+}
+
+TEST(TouchedWalls, LeaveOutWhereTheRobotWas) {
+  const GridGeometry geometry(0.1, {0.0, 0.0}, 9, 6);
+  const BeliefMap nothing(geometry, {});
+  // After the touch the robot passes on the right of it.
+  Snapshot snapshot{nothing, nothing, {{1000, {0.45, 0.2}}, {2000, {0.65, 0.35}}}, {}, {}};
+  snapshot.contacts = {{1010, {0.45, 0.35}}};
+  const Grid<std::int8_t> costs = planningCosts(snapshot, 0.15);
+  EXPECT_EQ((costs[{2, 3}]), kOccupiedCost);
+  EXPECT_EQ((costs[{5, 3}]), kOccupiedCost);
+  EXPECT_EQ((costs[{6, 3}]), kUnknownCost) << "it stood here";
+}
+
+TEST(TouchedWalls, AreNotKnownWithoutThePoseOfTheRobot) {
+  for (const Position& robot : {Position(0.45, 0.35), Position(9.0, 0.35)}) {
+    for (const std::string& row : wallsAfterTouch(robot, {0.45, 0.35})) {
+      EXPECT_EQ(row, ".........");
+    }
+  }
 }
 
 }  // namespace

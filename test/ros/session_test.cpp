@@ -47,6 +47,8 @@ TEST(RefreshRule, CountsContactsAndIgnoresPositionsThatNoMapHas) {
   const LocatedObservation touch{{}, {{1, {0.1, 0.1}}}, {}};
   EXPECT_TRUE(rule.isNews(touch));
   EXPECT_FALSE(rule.isNews(touch)) << "the robot still touches it";
+  const LocatedObservation beside{{}, {{2, {0.16, 0.1}}}, {}};
+  EXPECT_TRUE(rule.isNews(beside)) << "it turned, and touches the wall again";
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), HUGE_VAL, -1e300}) {
     EXPECT_FALSE(rule.isNews(reading(bad, 0.0)));
   }

@@ -12,7 +12,8 @@ namespace sfw {
 ///
 /// Readings of one access point in one square count as one bin, so a robot that stands still adds
 /// next to nothing. The first five readings of each bin are news, and the first contact in each
-/// square. Others are kept, and wait for the next news. Not thread-safe.
+/// square of a quarter of its edge: a robot that presses against a wall must learn of it. Others
+/// are kept, and wait for the next news. Not thread-safe.
 class RefreshRule {
  public:
   /// @param bin_size_m  edge of a square
@@ -26,7 +27,7 @@ class RefreshRule {
 
  private:
   /// Whether fewer than `most` observations came before from this bin.
-  bool isNew(const Bssid& bssid, const Position& position, int most);
+  bool isNew(const Bssid& bssid, const Position& position, double bin_size_m, int most);
 
   double bin_size_m_;
   std::map<std::tuple<Bssid, std::int64_t, std::int64_t>, int> seen_;

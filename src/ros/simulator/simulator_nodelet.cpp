@@ -13,6 +13,7 @@
 #include <pluginlib/class_list_macros.hpp>
 #include <sstream>
 
+#include "base/constants.h"
 #include "ros/conversion/message_conversion.h"
 #include "ros/conversion/parameters.h"
 #include "ros/simulator/simulator_messages.h"
@@ -176,11 +177,7 @@ void SimulatorNodelet::sendStep(std::int64_t step) {
   odometry_publisher_.publish(
       odometryMessage(odom_from_base_.value_or(transforms.back()), transforms.back()));
   odom_from_base_ = transforms.back();
-  const bool contact = robot_ && robot_->contact();
-  if (contact != contact_) {
-    contact_ = contact;
-    contact_publisher_.publish(boolMessage(contact));
-  }
+  sendContact(pose);
   const double sent_s = static_cast<double>(step) / config_.tf_rate_hz;
   if (laser_publisher_ && isDue(sent_s, config_.laser.rate_hz, laser_scans_)) {
     sendLaserScan(stamp, pose);
@@ -195,6 +192,19 @@ void SimulatorNodelet::sendStep(std::int64_t step) {
     finish();
   } else if (isDue(driven_s, config_.scan_rate_hz, scans_)) {
     sendScan(stamp, pose);
+  }
+}
+
+void SimulatorNodelet::sendContact(const RobotPose& pose) {
+  constexpr double kTurn = 0.2;  // [rad]
+  const bool contact = robot_ && robot_->contact();
+  // A robot that turns along a wall touches it at another point of its bumper.
+  const bool turned =
+      contact && std::abs(std::remainder(pose.yaw_rad - contact_yaw_rad_, 2.0 * kPi)) >= kTurn;
+  if (contact != contact_ || turned) {
+    contact_ = contact;
+    contact_yaw_rad_ = pose.yaw_rad;
+    contact_publisher_.publish(boolMessage(contact));
   }
 }
 

@@ -24,7 +24,8 @@ namespace sfw {
 /// Simulates a robot that drives through a floor plan and receives its access points.
 ///
 /// The nodelet publishes tf (map -> odom -> base), `wifi_scan`, `truth` (the plan, latched),
-/// `contact` and `finished` (std_msgs/Bool, latched, at each change), if asked a laser `scan`, and,
+/// `contact` and `finished` (std_msgs/Bool, latched, at each change; `contact` also after each turn
+/// of 0.2 rad that goes on touching), if asked a laser `scan`, and,
 /// with `publish_clock`, /clock. Each step sends the clock, then transforms, then the scan if one
 /// is due. So a scan has the stamp of transforms that were sent before it; the next transforms
 /// follow a step later.
@@ -58,6 +59,9 @@ class SimulatorNodelet : public nodelet::Nodelet {
 
   /// Sends the messages of a step. Step n is n / tf_rate after the start.
   void sendStep(std::int64_t step);
+
+  /// Sends a contact that begins or ends, and one that goes on after each turn of 0.2 rad.
+  void sendContact(const RobotPose& pose);
 
   /// Moves the robot to a step of its drive and returns its pose.
   RobotPose moveTo(std::int64_t step);
@@ -98,6 +102,7 @@ class SimulatorNodelet : public nodelet::Nodelet {
   std::uint64_t laser_scans_ = 0;          // sent so far
   double driven_m_ = 0.0;
   bool contact_ = false;
+  double contact_yaw_rad_ = 0.0;  // of the robot at the last message
   bool finished_ = false;
 
   std::mutex mutex_;
