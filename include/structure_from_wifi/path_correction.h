@@ -14,6 +14,10 @@ struct OdometryCorrection {
   Position antenna_in_map = Position::Zero();  ///< [m]
   Position odom_in_map = Position::Zero();     ///< origin of the odometry's frame [m]
   double odom_yaw_rad = 0.0;                   ///< of the odometry's frame in the map frame
+
+  /// Whether the pose lies between readings. Such a pose is moved with them, but a jump is sought
+  /// from reading to reading only: tf may divide a jump into small steps.
+  bool is_between = false;
 };
 
 /// Moves points of the past by a later correction of the path. Immutable.
@@ -87,9 +91,8 @@ class SFW_EXPORT PathCorrector {
 
  private:
   /// Returns the index of the last correction of the jump that begins at `begin`.
-  /// @param corrections  by stamp
-  std::size_t endOfJump(const std::vector<OdometryCorrection>& corrections,
-                        std::size_t begin) const;
+  /// @param readings  the corrections at readings, by stamp
+  std::size_t endOfJump(const std::vector<OdometryCorrection>& readings, std::size_t begin) const;
 
   Tolerance tolerance_;
   std::vector<OdometryCorrection> corrections_;

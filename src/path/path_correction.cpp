@@ -19,7 +19,7 @@ constexpr double kMostTurn = 0.1;   // [rad/m]
 constexpr std::int64_t kOneJump = 1000000000;  // [ns]
 
 auto order(const OdometryCorrection& correction) {
-  return std::make_tuple(correction.stamp_ns, correction.antenna_in_map.x(),
+  return std::make_tuple(correction.stamp_ns, correction.is_between, correction.antenna_in_map.x(),
                          correction.antenna_in_map.y(), correction.odom_in_map.x(),
                          correction.odom_in_map.y(), correction.odom_yaw_rad);
 }
@@ -152,13 +152,12 @@ bool PathCorrector::isJump(const OdometryCorrection& before, const OdometryCorre
          std::abs(turnBetween(before, after)) > tolerance.turn_rad;
 }
 
-std::size_t PathCorrector::endOfJump(const std::vector<OdometryCorrection>& corrections,
+std::size_t PathCorrector::endOfJump(const std::vector<OdometryCorrection>& readings,
                                      std::size_t begin) const {
   std::size_t end = begin;
   for (std::size_t i = begin + 1;
-       i < corrections.size() && corrections[i].stamp_ns - corrections[end].stamp_ns <= kOneJump;
-       ++i) {
-    end = isJump(corrections[i - 1], corrections[i], tolerance_) ? i : end;
+       i < readings.size() && readings[i].stamp_ns - readings[end].stamp_ns <= kOneJump; ++i) {
+    end = isJump(readings[i - 1], readings[i], tolerance_) ? i : end;
   }
   return end;
 }
@@ -177,14 +176,22 @@ PathCorrection PathCorrector::correction() const {
     return {};
   }
   SpreadPath path(corrections);
+  std::vector<OdometryCorrection> readings;
+  std::vector<std::size_t> index;  // of each in the corrections
+  for (std::size_t i = 0; i < corrections.size(); ++i) {
+    if (!corrections[i].is_between) {
+      readings.push_back(corrections[i]);
+      index.push_back(i);
+    }
+  }
   double since_m = 0.0;  // distance driven at which the drift before the next jump begins
-  for (std::size_t i = 1; i < corrections.size(); ++i) {
-    if (!isJump(corrections[i - 1], corrections[i], tolerance_)) {
+  for (std::size_t i = 1; i < readings.size(); ++i) {
+    if (!isJump(readings[i - 1], readings[i], tolerance_)) {
       continue;
     }
-    const std::size_t end = endOfJump(corrections, i);
-    path.spread(i, end, since_m);
-    since_m = path.wayAt(end);
+    const std::size_t end = endOfJump(readings, i);
+    path.spread(index[i - 1] + 1, index[end], since_m);
+    since_m = path.wayAt(index[end]);
     i = end;
   }
   PathCorrection result;

@@ -185,6 +185,24 @@ TEST(PathCorrector, AWrongPoseAtTheStartMovesAllAlike) {
   EXPECT_NEAR((path[18] - Position(9.9, 0.0)).norm(), 0.0, 0.01);
 }
 
+TEST(PathCorrector, FindsAJumpThatPosesBetweenReadingsDivideIntoSmallSteps) {
+  PathCorrector corrector;
+  for (int i = 0; i <= 100;
+       ++i) {  // a reading each 2 s, a pose each 0.2 s, tf interpolates for 2 s
+    const double odom_y = 0.05 * std::max(0, i - 90);
+    OdometryCorrection fix{i * kStep, {kStepWay * i, odom_y}, {0.0, odom_y}, 0.0};
+    fix.is_between = i % 10 != 0;
+    corrector.insert(fix);
+  }
+  const PathCorrection correction = corrector.correction();
+  for (const int i : {40, 45, 50, 80, 90, 95}) {
+    const double tf_y = 0.05 * std::max(0, i - 90);
+    const Position moved = correction.moved(i * kStep, {kStepWay * i, tf_y});
+    EXPECT_NEAR(moved.y(), 0.5 * i / 100.0, 0.01) << i;
+    EXPECT_NEAR(moved.x(), kStepWay * i, 0.01) << i;
+  }
+}
+
 TEST(PathCorrector, AJumpOfARobotAtRestMovesAllAlike) {
   const std::vector<OdometryCorrection> fixes = {{kStep, {1.0, 0.0}, {0.0, 0.0}, 0.0},
                                                  {2 * kStep, {0.0, 3.0}, {0.0, 2.0}, kPi / 2}};

@@ -65,7 +65,7 @@ class Replay(unittest.TestCase):
         """The folder that ~save_map fills once it has all readings."""
         shutil.rmtree(self.folder / "saved", ignore_errors=True)
         # What comes before the nodelet listens is lost, and a manager takes long to load it.
-        launch = self.launch(rate, 1.5 if workers is None else 8, table, workers)
+        launch = self.launch(rate, 4 if workers is None else 8, table, workers)
         saved = self.folder / "saved" / "all"
 
         def is_complete():
@@ -136,7 +136,7 @@ class Replay(unittest.TestCase):
             with self.subTest(name):
                 self.write(stops, messages)
                 self.split = self.split_bag(messages, bags)
-                maps = self.check(2 * len(stops[::20]), (1, 10), with_csv=False)
+                maps = self.check(2 * len(stops[::20]), (1, 4), with_csv=False)
                 self.check_path(maps)
 
     def test_a_bumper_gives_one_map_by_all_ways(self):

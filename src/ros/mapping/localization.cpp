@@ -85,7 +85,11 @@ std::optional<LocatedPose> locatePose(const ros::Time& stamp, const RosSettings&
         transforms.lookupTransform(config.map_frame, config.antenna_frame, stamp)
             .transform.translation;
     const PathPose pose{static_cast<std::int64_t>(stamp.toNSec()), {position.x, position.y}};
-    return LocatedPose{pose, correctionAt(stamp, config, transforms)};
+    LocatedPose located{pose, correctionAt(stamp, config, transforms)};
+    if (located.correction) {
+      located.correction->is_between = true;
+    }
+    return located;
   } catch (const std::exception&) {
     return std::nullopt;  // as in locate()
   }
