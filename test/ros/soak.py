@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Drives a mapping node for long, with faults, and looks for what grows.
 
 Usage: soak.py MAPPING_NODE SIMULATOR_NODE MINUTES
