@@ -6,6 +6,7 @@
 // (conversion, transform, insertion), and the CPU time of one map. A map is made at most once a
 // second, in one thread, so the node needs the first share and at most one core more.
 
+#include <structure_from_wifi/WifiScan.h>
 #include <tf2/buffer_core.h>
 
 #include <cmath>
@@ -17,6 +18,7 @@
 #include "ros/conversion/input_messages.h"
 #include "ros/mapping/observation_queue.h"
 #include "ros/mapping/shared_mapper.h"
+#include "test/ros/any_message_of.h"
 
 namespace sfw {
 namespace {
@@ -95,9 +97,10 @@ void run() {
     for (; scans < 60 * minutes * kScansPerSecond; ++scans) {
       const double seconds = static_cast<double>(scans) / kScansPerSecond;
       const structure_from_wifi::WifiScan scan = scanAt(seconds, access_points);
+      const AnyMessage message = anyMessageOf(scan);
       transforms.setTransform(poseAt(seconds), "benchmark");
       const double start = cpuSeconds();
-      for (Observation& observation : convertScan(scan, {}).observations) {
+      for (Observation& observation : convertReadings(message, {}).observations) {
         queue.push(std::move(observation));
       }
       queue.locate(transforms, scan.header.stamp,

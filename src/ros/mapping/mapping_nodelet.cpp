@@ -97,7 +97,7 @@ void MappingNodelet::subscribe() {
   const std::lock_guard<std::mutex> lock(subscribing_);
   for (const Input& input : kInputs) {
     const std::string topic = getNodeHandle().resolveName(input.topic);
-    subscriptions_.push_back({&input, statistics_.add(topic, input.is_radio), {}, false});
+    subscriptions_.push_back({&input, statistics_.add(topic, input.is_radio), {}, false, 0});
     subscribeTo(subscriptions_.back());
   }
 }
@@ -118,13 +118,18 @@ void MappingNodelet::subscribeTo(Subscription& to) {
 
 void MappingNodelet::subscribeAnew() {
   const std::lock_guard<std::mutex> lock(subscribing_);
+  const std::vector<InputStatistics::Input> counts = statistics_.inputs(0.0);
   for (Subscription& subscription : subscriptions_) {
     const bool is_connected = subscription.subscriber.getNumPublishers() > 0;
-    if (subscription.was_connected && !is_connected) {
+    const std::size_t messages = counts[subscription.index].messages;
+    // A publisher may have come and gone since the last call.
+    const bool was_connected = subscription.was_connected || messages > subscription.messages;
+    if (was_connected && !is_connected) {
       subscription.subscriber.shutdown();
       subscribeTo(subscription);
     }
     subscription.was_connected = is_connected;
+    subscription.messages = messages;
   }
 }
 

@@ -81,7 +81,8 @@ class MappingNodelet : public nodelet::Nodelet {
     const Input* input = nullptr;
     std::size_t index = 0;  ///< in statistics_
     ros::Subscriber subscriber;
-    bool was_connected = false;
+    bool was_connected = false;  ///< at the last look, as the next member
+    std::size_t messages = 0;
   };
   void subscribeTo(Subscription& to);
 
