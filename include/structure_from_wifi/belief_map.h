@@ -28,6 +28,10 @@ class SFW_EXPORT BeliefMap {
   /// @throw std::invalid_argument if MRPT cannot hold the geometry.
   BeliefMap(const Grid<float>& occupied, const Config::Belief& config);
 
+  /// The same map elsewhere. MRPT's grid stays at its place, since it counts in single precision;
+  /// so `by` may be far from zero.
+  BeliefMap moved(const Position& by) const;
+
   /// The grid of the map.
   const GridGeometry& geometry() const { return geometry_; }
 

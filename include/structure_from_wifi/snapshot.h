@@ -138,6 +138,9 @@ struct Snapshot {
   RecordingFindings recording = {};  ///< what is wrong with the recording
 
   std::vector<Contact> contacts = {};  ///< in the order of arrival, without those driven over later
+
+  /// By how much the map was moved after it was made [m]. All positions here include it.
+  Position offset = Position::Zero();
 };
 
 }  // namespace sfw

@@ -52,6 +52,13 @@ BeliefMap::BeliefMap(const GridGeometry& geometry, const Config::Belief& config)
 BeliefMap::BeliefMap(const Grid<float>& occupied, const Config::Belief& config)
     : geometry_(occupied.geometry), config_(config), grid_(gridOf(occupied)) {}
 
+BeliefMap BeliefMap::moved(const Position& by) const {
+  BeliefMap result = *this;
+  result.geometry_ = GridGeometry(geometry_.resolution(), geometry_.origin() + by,
+                                  geometry_.width(), geometry_.height());
+  return result;
+}
+
 float BeliefMap::occupied(Cell c) const {
   return 1.0F - grid_->getCell(static_cast<int>(c.x), static_cast<int>(c.y));
 }

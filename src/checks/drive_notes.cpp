@@ -119,7 +119,7 @@ void addNoteOnOneStamp(std::size_t stamped_alike, Notes& notes) {
 }
 
 void addNoteOnOctomap(const Snapshot& snapshot, Notes& notes) {
-  if (!octomapReaches(snapshot.belief.geometry())) {
+  if (snapshot.offset.isZero() && !octomapReaches(snapshot.belief.geometry())) {
     notes.push_back({MapNote::Kind::kOctomap, "",
                      "there is no OctoMap: the map lies more than 32768 cells from the frame's "
                      "origin; use a frame with a nearer origin, or raise map/resolution"});

@@ -58,11 +58,20 @@ void addNoteOnSignals(const Snapshot& snapshot, Notes& notes) {
   }
 }
 
-}  // namespace
+/// A map far from zero was made near zero.
+void addNoteOnOffset(const Snapshot& snapshot, Notes& notes) {
+  if (snapshot.offset.isZero()) {
+    return;
+  }
+  notes.push_back({MapNote::Kind::kFrames, "offset",
+                   "positions lie far from zero, as in UTM or a national grid: the map was made "
+                   "with an offset of (" +
+                       rounded(snapshot.offset.x(), 0) + ", " + rounded(snapshot.offset.y(), 0) +
+                       ") m, and its files have the given coordinates again; it has no OctoMap, "
+                       "which reaches less far"});
+}
 
-bool isFault(const MapNote& note) { return note.kind != MapNote::Kind::kTooLittle; }
-
-std::vector<MapNote> mapNotes(const Snapshot& snapshot, const DataFindings& findings) {
+Notes notesOnData(const Snapshot& snapshot, const DataFindings& findings) {
   Notes notes;
   const RecordingFindings& recording = snapshot.recording;
   addNotesOnRecording(recording, notes);
@@ -90,6 +99,16 @@ std::vector<MapNote> mapNotes(const Snapshot& snapshot, const DataFindings& find
                      "the path seems to have drifted: where it returns to a place, signals differ "
                      "as much as from room to room; improve the localisation"});
   }
+  return notes;
+}
+
+}  // namespace
+
+bool isFault(const MapNote& note) { return note.kind != MapNote::Kind::kTooLittle; }
+
+std::vector<MapNote> mapNotes(const Snapshot& snapshot, const DataFindings& findings) {
+  Notes notes = notesOnData(snapshot, findings);
+  addNoteOnOffset(snapshot, notes);
   return notes;
 }
 

@@ -12,8 +12,10 @@
 #include "checks/recording_notes.h"
 #include "cli/bag_options.h"
 #include "cli/commands.h"
+#include "cli/far_positions.h"
 #include "cli/warnings.h"
 #include "mapping/inliers.h"
+#include "output/moved.h"
 #include "ros/conversion/ros_settings.h"
 #include "structure_from_wifi/data_checks.h"
 #include "structure_from_wifi/input_error.h"
@@ -80,8 +82,10 @@ std::optional<std::string> noteOnUnits(const std::vector<Reading>& readings,
 }
 
 Mapper mapperFor(const MapOptions& options, const std::vector<Reading>& readings,
-                 const Config& config) {
-  const std::vector<AccessPoint> table = tableOf(options);
+                 const Position& offset, const Config& config) {
+  std::vector<AccessPoint> table = tableOf(options);
+  subtract(offset, table);
+  requireSameFrame(offset, table, options.access_points);
   configuredBeliefModel(config.belief);  // an error names its file, not the table
   const std::optional<std::string> units = noteOnUnits(readings, table, config);
   try {
@@ -146,8 +150,10 @@ void run(const MapOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const MappingSettings settings = loadSettings(options);
   const Config& config = settings.config;
-  const ReadingFile file = readingsOf(options);
-  Mapper mapper = mapperFor(options, file.readings, config);
+  ReadingFile file = readingsOf(options);
+  const Position offset = offsetOf(file.readings);
+  subtract(offset, file.readings);
+  Mapper mapper = mapperFor(options, file.readings, offset, config);
   const bool is_bag = !options.bags.source.files.empty();
   const std::string source = is_bag ? namesOf(options.bags.source.files) : options.readings;
   if (is_bag) {
@@ -157,28 +163,29 @@ void run(const MapOptions& options) {
   }
   if (!options.contacts.empty()) {
     for (Contact contact : readContacts(options.contacts)) {
-      contact.point_in_map *= options.scale;
+      contact.point_in_map = near(contact.point_in_map * options.scale, offset);
       mapper.insert(contact);
     }
   }
   if (!options.path.empty()) {
     for (const PathPose& pose : readPath(options.path)) {
-      mapper.insertPose(pose.stamp_ns, pose.antenna_in_map * options.scale);
+      mapper.insertPose(pose.stamp_ns, near(pose.antenna_in_map * options.scale, offset));
     }
   }
   reportRejections(source, mapper.rejections());
-  const std::shared_ptr<const Snapshot> snapshot = mapper.infer();
-  const auto& found = snapshot->access_points;
-  const DataFindings findings = DataChecker().checkAll(*snapshot);
+  const std::shared_ptr<const Snapshot> made = mapper.infer();
+  const DataFindings findings = moved(DataChecker().checkAll(*made), offset);
+  const Snapshot snapshot = moved(*made, offset);
+  const auto& found = snapshot.access_points;
   reportEstimates(options.access_points, found);
-  for (const MapNote& note : mapNotes(*snapshot, findings)) {
+  for (const MapNote& note : mapNotes(snapshot, findings)) {
     warn(source + ": " + note.text);
   }
   if (std::all_of(found.begin(), found.end(), [](const auto& ap) { return ap.readings == 0; })) {
     throw InputError(source + ": no reading of an access point in " + options.access_points +
                      " can be used; the warnings above give the reasons");
   }
-  writeMapFiles(*snapshot, config, options.output, findings);
+  writeMapFiles(snapshot, config, options.output, findings);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   std::cerr << "sfw: wrote the map to " << options.output << " in "
             << static_cast<int>(elapsed.count() * 1000) << " ms\n";

@@ -83,6 +83,7 @@ class CsvTable {
 
   std::string file_;
   std::string text_;
+  std::size_t row_start_ = 0;  // of this row
   std::size_t at_ = 0;         // where the next row begins
   std::size_t next_line_ = 1;  // its line
   std::size_t line_ = 1;

@@ -171,9 +171,10 @@ Grid<T> converted(const std::string& yaml_file, const T& outside, Convert&& conv
 
 std::string mapYaml(const char* image, const GridGeometry& geometry, const char* mode,
                     const char* thresholds, int negate = 0) {
-  return formatted("image: %s\nresolution: %.9g\norigin: [%.9g, %.9g, 0]\nnegate: %d\nmode: %s\n%s",
-                   image, geometry.resolution(), geometry.origin().x(), geometry.origin().y(),
-                   negate, mode, thresholds);
+  return formatted(
+      "image: %s\nresolution: %.9g\norigin: [%.12g, %.12g, 0]\nnegate: %d\nmode: %s\n%s", image,
+      geometry.resolution(), geometry.origin().x(), geometry.origin().y(), negate, mode,
+      thresholds);
 }
 
 }  // namespace

@@ -124,6 +124,9 @@ std::string reportJson(const Snapshot& snapshot, const Config& config,
     report["notes"].push_back(note.text);
   }
   report["map"] = describe(snapshot.belief);
+  if (!snapshot.offset.isZero()) {
+    report["map"]["offset"] = {snapshot.offset.x(), snapshot.offset.y()};
+  }
   report["path"] = {{"poses", snapshot.path.size()},
                     {"length_m", length_m},
                     {"stray_poses", snapshot.stray.count},

@@ -43,7 +43,7 @@ class Accuracy(CommandLine):
             (homes / (name + ".json")).write_text(HOME)
         for folder, names in RECORDINGS.items():
             drive = data / "recordings" / folder
-            self.good(self.sfw("simulate", "--plan", homes / "a.json", "--access-points", 1,
+            self.good(self.sfw("simulate", "--plan", homes / "a.json", "--access-point-count", 1,
                                "--output", drive))
             for name in names:
                 shutil.copy(drive / "readings.csv", drive / (name + ".csv"))

@@ -123,7 +123,7 @@ class Resuming(Bench):
         config = self.write("config.yaml", "k_visibility: {window: 7}")
         known = 0
         for more in ({}, {"--seeds": 2}, {"--noise": "low"}, {"--path": "sparse"},
-                     {"--access-points": 2}, {"--config": config}, {"--generate": 2}):
+                     {"--access-point-count": 2}, {"--config": config}, {"--generate": 2}):
             options = {**base, **more}
             self.good(self.bench(*(word for option in options.items() for word in option)))
             self.assertEqual(len(self.recordings(self.output)), known + 1, more)

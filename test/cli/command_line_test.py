@@ -33,8 +33,8 @@ class Help(CommandLine):
 
     def test_help_names_placeholder_default_range_and_unit(self):
         text = " ".join(self.good(self.sfw("simulate", "--help")).stdout.split())
-        self.assertIn("--access-points N number of access points to place if no --access-point is "
-                      "given, in 1..100; default: 1", text)
+        self.assertIn("--access-point-count N number of access points to place if neither "
+                      "--access-point nor --access-points is given, in 1..100; default: 1", text)
         self.assertIn("--robot-radius METRES radius of the robot [m]; default: 0.15", text)
         self.assertIn("--output DIRECTORY", text)
 
@@ -100,10 +100,49 @@ class Simulate(CommandLine):
         for points in (["--access-point", "1.5,2", "--access-point", "3,2"],
                        ["--access-point=1.5,2", "--access-point=3,2"],
                        ["--access-point", "1.5,2", "3,2"]):
-            self.good(self.sfw(*flat, *points))
+            self.good(self.sfw(*flat, *points, "--force"))
             tables.append((self.output / "access_points.yaml").read_text())
         self.assertEqual(tables[0].count("bssid"), 2)
         self.assertEqual(len(set(tables)), 1)
+
+    def test_never_overwrites_a_recording(self):
+        flat = ["simulate", "--generate", "flat", "--noise", "none", "--output", self.output]
+        self.output.mkdir()
+        for name in ("readings.csv", "access_points.yaml", "truth.yaml", "truth.pgm",
+                     "recording.bag"):
+            mine = self.output / name
+            mine.write_text("mine")
+            run = self.sfw(*flat)
+            self.assertEqual(run.returncode, 1)
+            self.assertIn("%s is there already" % mine, run.stderr)
+            self.assertIn("--force", run.stderr)
+            self.assertEqual([path.name for path in self.output.iterdir()], [name])
+            self.assertEqual(mine.read_text(), "mine")
+            mine.unlink()
+        self.good(self.sfw(*flat))
+        first = (self.output / "readings.csv").read_text()
+        self.good(self.sfw(*flat, "--seed", 2, "--force"))
+        self.assertNotEqual((self.output / "readings.csv").read_text(), first)
+
+    def test_takes_a_table_of_access_points_or_their_number(self):
+        flat = ["simulate", "--generate", "flat", "--noise", "none", "--force", "--output",
+                self.output]
+        table = self.write("two.yaml", 'access_points:\n  - {bssid: "%s", x: 1.5, y: 2}\n'
+                                       '  - {bssid: "%s", x: 3, y: 2}\n' % (STRANGER, FAR))
+        self.good(self.sfw(*flat, "--access-points", table))
+        self.assertIn(STRANGER, (self.output / "readings.csv").read_text())
+        self.assertIn(STRANGER, (self.output / "access_points.yaml").read_text())
+        tables = []
+        for option in ("--access-point-count", "--access-points"):
+            run = self.good(self.sfw(*flat, option, 3))
+            self.assertEqual("is now called --access-point-count" in run.stderr,
+                             option == "--access-points")
+            tables.append((self.output / "access_points.yaml").read_text())
+        self.assertEqual(tables[0].count("bssid"), 3)
+        self.assertEqual(tables[0], tables[1])
+        nowhere = self.write("nowhere.yaml", 'access_points:\n  - {bssid: "%s"}\n' % FAR)
+        self.assertIn(FAR + " needs x and y", self.sfw(*flat, "--access-points", nowhere).stderr)
+        self.assertIn("in 1..100", self.sfw(*flat, "--access-points", 0).stderr)
 
 
 class ChooseSites(CommandLine):

@@ -84,6 +84,7 @@ TEST_F(Csv, LosesOnlyTheRowWhoseQuoteIsNotClosed) {
             (Rows{{problem}, kRows[0], kRows[1]}));
   EXPECT_EQ(rowsOf("text,a,b\nx,1,2\n\"open,0,0\ny,3,4\n"), (Rows{kRows[0], {problem}, kRows[1]}));
   EXPECT_EQ(rowsOf("text,a,b\n\"x\"y,0,0\ny,3,4\n"), (Rows{{problem}, kRows[1]}));
+  EXPECT_EQ(rowsOf("a,b\n\"open\n1,2\n3,4\n"), (Rows{{problem}, kRows[0], kRows[1]}));
   EXPECT_EQ(complaintOf("a,\"b\n1,2\n"),
             path("table.csv") + ": line 1: a quote is not closed, in field 2");
 }

@@ -97,8 +97,9 @@ void runBench(Options& options) {
   options.addList("path", "PATH", bench.paths,
                   "walls, sparse or files of way points; default: walls");
   options.add("seeds", "N", bench.seeds, "run seeds 1..N for each combination; default: 1");
-  options.add("access-points", "N", bench.access_points,
+  options.add("access-point-count", "N", bench.access_points,
               "number of access points in each building; default: 1");
+  options.addOldName("access-points", "access-point-count");
   options.addList("methods", "METHOD", bench.methods,
                   "tomography, k_visibility; default: all of them");
   options.add("config", "FILE", bench.config, "settings as in config/mapping.yaml");

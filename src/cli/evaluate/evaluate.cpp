@@ -10,6 +10,7 @@
 #include "cli/evaluate/metrics.h"
 #include "cli/evaluate/scored_map.h"
 #include "cli/evaluate/summary_text.h"
+#include "cli/far_positions.h"
 #include "cli/warnings.h"
 #include "evaluation/ablations.h"
 #include "evaluation/comparison_picture.h"
@@ -133,10 +134,11 @@ void writePictures(const EvaluateOptions& options, const EvaluationInput& input,
 
 /// Scores the maps of --beside.
 /// @param input  truth and path
-std::vector<ScoredMap> scoreBeside(const EvaluateOptions& options, const EvaluationInput& input) {
+std::vector<ScoredMap> scoreBeside(const EvaluateOptions& options, const Position& offset,
+                                   const EvaluationInput& input) {
   std::vector<ScoredMap> beside;
   for (const std::string& title_and_file : options.beside) {
-    ScoredMap scored = scoreMap(title_and_file, input);
+    ScoredMap scored = scoreMap(title_and_file, offset, input);
     if (std::any_of(beside.begin(), beside.end(),
                     [&](const ScoredMap& other) { return other.title == scored.title; })) {
       throw InputError("--beside has the title '" + scored.title + "' twice");
@@ -204,9 +206,12 @@ void printTables(const EvaluateOptions& options, const EvaluationInput& input,
 }
 
 /// Truth, path and map, without access points.
-EvaluationInput inputFor(const EvaluateOptions& options, const std::vector<Reading>& readings) {
-  EvaluationInput input{readMap(options.map), readMap(options.truth), {}, {}, {}};
-  readProbabilityAndWallLoss(options.map, options.probability, input);
+/// @param offset  that was subtracted from the readings
+EvaluationInput inputFor(const EvaluateOptions& options, const std::vector<Reading>& readings,
+                         const Position& offset) {
+  EvaluationInput input{
+      near(readMap(options.map), offset), near(readMap(options.truth), offset), {}, {}, {}};
+  readProbabilityAndWallLoss(options.map, options.probability, offset, input);
   if (!input.map.geometry.box().intersects(input.truth.geometry.box())) {
     warn(options.map + " and " + options.truth +
          " do not overlap: check that both are in the same frame");
@@ -219,18 +224,22 @@ EvaluationInput inputFor(const EvaluateOptions& options, const std::vector<Readi
 }
 
 void run(const EvaluateOptions& options) {
-  const std::vector<Reading> readings = readWithWarnings(options.readings, options.poses).readings;
-  EvaluationInput input = inputFor(options, readings);
+  std::vector<Reading> readings = readWithWarnings(options.readings, options.poses).readings;
+  const Position offset = offsetOf(readings);  // no metric depends on it
+  subtract(offset, readings);
+  EvaluationInput input = inputFor(options, readings, offset);
   std::vector<AccessPoint> access_points;
   std::vector<AccessPoint> located;
   if (!options.access_points.empty()) {
     access_points = accessPointsWithWarnings(options.access_points);
     located = locatedAccessPoints(access_points, readings, options.map, options.access_points);
+    subtract(offset, access_points);
+    subtract(offset, located);
   }
   for (const AccessPoint& access_point : located) {
     input.access_points.push_back(access_point.position);
   }
-  const Results results{evaluate(input), scoreBeside(options, input),
+  const Results results{evaluate(input), scoreBeside(options, offset, input),
                         ablationsFor(options, input, readings, access_points),
                         predictionFor(options, readings, located)};
   if (options.json) {

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "cli/far_positions.h"
 #include "evaluation/comparison_picture.h"
 #include "files/map_server.h"
 #include "structure_from_wifi/input_error.h"
@@ -25,27 +26,28 @@ std::string noteOf(const MapMetrics& metrics) {
 }  // namespace
 
 void readProbabilityAndWallLoss(const std::string& map, std::filesystem::path probability,
-                                EvaluationInput& input) {
+                                const Position& offset, EvaluationInput& input) {
   const std::filesystem::path folder = std::filesystem::path(map).parent_path();
   const bool named = !probability.empty();  // then the file must exist
   probability = named ? probability : folder / "probability.yaml";
   const std::filesystem::path wall_loss = folder / "wall_loss.yaml";
   input.probabilities = named || std::filesystem::exists(probability)
-                            ? std::optional(readProbabilities(probability.string()))
+                            ? std::optional(near(readProbabilities(probability.string()), offset))
                             : std::nullopt;
   input.wall_loss_db = std::filesystem::exists(wall_loss)
-                           ? std::optional(readWallLoss(wall_loss.string()))
+                           ? std::optional(near(readWallLoss(wall_loss.string()), offset))
                            : std::nullopt;
 }
 
-ScoredMap scoreMap(const std::string& title_and_file, EvaluationInput input) {
+ScoredMap scoreMap(const std::string& title_and_file, const Position& offset,
+                   EvaluationInput input) {
   const std::size_t equals = title_and_file.find('=');
   if (equals == std::string::npos || equals == 0) {
     throw InputError("--beside must be TITLE=FILE; it is '" + title_and_file + "'");
   }
   const std::string file = title_and_file.substr(equals + 1);
-  input.map = readMap(file);
-  readProbabilityAndWallLoss(file, {}, input);
+  input.map = near(readMap(file), offset);
+  readProbabilityAndWallLoss(file, {}, offset, input);
   const MapMetrics metrics = evaluate(input).map;
   return {title_and_file.substr(0, equals), std::move(input.map), metrics};
 }
