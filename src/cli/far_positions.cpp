@@ -13,15 +13,25 @@ namespace {
 constexpr double kFar = 2e3;     // [m]; no building is so large, and no OctoMap
 constexpr double kStep = 100.0;  // [m]; keeps cells on the lattice of the user's frame
 
-double medianAlong(const std::vector<Reading>& readings, int axis) {
+/// The median of the readings along an axis, and their extent without the outermost twentieths.
+struct Spread {
+  double median;
+  double extent;
+};
+
+Spread spreadAlong(const std::vector<Reading>& readings, int axis) {
   std::vector<double> values;
   values.reserve(readings.size());
   for (const Reading& reading : readings) {
     values.push_back(reading.antenna_in_map[axis]);
   }
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  const auto at = [&](std::size_t twentieths) {
+    const auto place =
+        values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) * twentieths / 20);
+    std::nth_element(values.begin(), place, values.end());
+    return *place;
+  };
+  return {at(10), at(19) - at(1)};
 }
 
 }  // namespace
@@ -30,8 +40,12 @@ Position offsetOf(const std::vector<Reading>& readings) {
   if (readings.empty()) {
     return Position::Zero();
   }
-  const Position middle(medianAlong(readings, 0), medianAlong(readings, 1));
-  if (!(middle.cwiseAbs().maxCoeff() > kFar)) {
+  const Spread x = spreadAlong(readings, 0);
+  const Spread y = spreadAlong(readings, 1);
+  const Position middle(x.median, y.median);
+  const double away = middle.cwiseAbs().maxCoeff();
+  constexpr double kMuch = 10.0;  // of the extent; less is another unit, such as millimetres
+  if (!(away > kFar && away > kMuch * std::max(x.extent, y.extent))) {
     return Position::Zero();
   }
   return kStep * (middle / kStep).array().floor();

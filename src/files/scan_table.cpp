@@ -22,7 +22,13 @@ std::vector<CsvColumn> columnsOf(bool has_poses) {
 }  // namespace
 
 ScanTable::ScanTable(const std::string& file, bool has_poses)
-    : has_poses_(has_poses), table_(file, columnsOf(has_poses)) {}
+    : has_poses_(has_poses), table_(file, columnsOf(has_poses)) {
+  if (table_.name(kRssi) == "signal" && table_.name(kStamp) != "ts_sec") {
+    throw InputError(file +
+                     ": line 1: the column 'rssi_dbm' is missing; 'signal' is read from "
+                     "Kismet's packets only");
+  }
+}
 
 std::optional<RowFault> ScanTable::read(Reading& reading) const {
   std::optional<RowFault> fault = faultOfRow(table_);

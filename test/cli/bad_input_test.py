@@ -75,7 +75,7 @@ class BadReadings(CommandLine):
     def test_a_drive_beyond_all_bounds(self):
         far = ["%d,%d,1,%s,-50" % (i, 400000 + i, NEAR) for i in range(3)]
         readings = self.write("far.csv", "\n".join([HEADER] + far))
-        self.bad(self.map(readings=readings), "far.csv", "map/max_cells")
+        self.bad(self.map(readings=readings), self.access_points, "(400000.0, 0.0)", "in one frame")
 
 
 class BadAccessPoints(CommandLine):
