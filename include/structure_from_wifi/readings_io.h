@@ -25,12 +25,12 @@ struct ReadingFile {
 /// Reads a CSV by RFC 4180 with the columns stamp, x, y, bssid, rssi_dbm in any order (seconds or
 /// a date and time, metres, dBm; map frame). Other columns are ignored. Columns may be separated by
 /// semicolons or tabs too, and then have decimal commas. The CSV of WiGLE, and that of Kismet's
-/// packets, have no positions: they need poses.
-/// @param poses  CSV with the columns stamp, x, y; positions are interpolated between its rows, but
-/// not in gaps of over 5 s. Empty: the positions are in the file itself.
+/// packets, have no positions: they need a path.
+/// @param path  CSV with the columns stamp, x, y. Readings without positions are placed between its
+/// rows, but not in gaps of over 5 s. Empty: the positions are in the file itself.
 /// @throw InputError naming the file if it cannot be read, lacks a column or has no usable row, or
-/// if an unusable pose is in the file of poses.
-SFW_EXPORT ReadingFile readReadings(const std::string& file, const std::string& poses = "");
+/// if an unusable pose is in the path.
+SFW_EXPORT ReadingFile readReadings(const std::string& file, const std::string& path = "");
 
 /// Reads a CSV of contacts of the robot with obstacles, with the columns stamp, x, y.
 /// @throw InputError as readReadings, naming the line of the first unusable row.

@@ -28,7 +28,6 @@ namespace {
 
 struct MapOptions {
   std::string readings;
-  std::string poses;
   BagOptions bags;
   std::string access_points;
   std::string contacts;
@@ -61,7 +60,7 @@ std::vector<AccessPoint> tableOf(const MapOptions& options) {
 /// Reads the file of readings, in metres.
 ReadingFile readingsOf(const MapOptions& options) {
   ReadingFile file = options.bags.source.files.empty()
-                         ? readWithWarnings(options.readings, options.poses)
+                         ? readWithWarnings(options.readings, options.path)
                          : ReadingFile{};
   for (Reading& reading : file.readings) {
     reading.antenna_in_map *= options.scale;
@@ -198,17 +197,14 @@ void runMap(Options& options) {
   options.add("readings", "FILE", map.readings,
               "CSV with the columns stamp, x, y, bssid, rssi_dbm; exactly one of --readings and "
               "--bag is needed");
-  options.add("poses", "FILE", map.poses,
-              "CSV with the columns stamp, x, y: positions for readings that have none, such as "
-              "those of WiGLE (CSV) and Kismet (table of packets as CSV)");
   map.bags.declare(options);
   options.addRequired("access-points", "FILE", map.access_points,
                       "YAML: access_points: [{bssid, x, y, z?, name?, tx_dbm?}]");
   options.add("contacts", "FILE", map.contacts,
               "CSV with the columns stamp, x, y: obstacles that the robot touched");
-  options.add(
-      "path", "FILE", map.path,
-      "CSV with the columns stamp, x, y: the way driven between readings that are far apart");
+  options.add("path", "FILE", map.path,
+              "CSV with the columns stamp, x, y: the way driven. It fills gaps between readings, "
+              "and places readings without x and y, such as those of WiGLE and Kismet");
   options.add(
       "scale", "METRES", map.scale,
       "length of the unit of x and y in the files of readings, contacts, path and access points: "
@@ -229,9 +225,6 @@ void runMap(Options& options) {
   }
   if (options.given("scale") && options.given("bag")) {
     throw InputError("--scale goes with --readings: positions of a bag are in metres");
-  }
-  if (options.given("poses") && options.given("bag")) {
-    throw InputError("--poses goes with --readings: a bag has transforms");
   }
   run(map);
 }

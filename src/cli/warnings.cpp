@@ -9,8 +9,8 @@ namespace sfw {
 
 void warn(const std::string& text) { std::cerr << "sfw: warning: " << text << '\n'; }
 
-ReadingFile readWithWarnings(const std::string& file, const std::string& poses) {
-  ReadingFile input = readReadings(file, poses);
+ReadingFile readWithWarnings(const std::string& file, const std::string& path) {
+  ReadingFile input = readReadings(file, path);
   for (const auto& [reason, skipped] : input.skipped) {
     warn(file + ": " + std::to_string(skipped.count) + " rows skipped: " + reason +
          " (first: " + skipped.first + ")");

@@ -13,9 +13,9 @@ namespace sfw {
 void warn(const std::string& text);
 
 /// Reads a file of readings and warns of skipped rows, once for each reason.
-/// @param poses  file of poses; may be empty
+/// @param path  file of the path; may be empty
 /// @throw InputError as readReadings
-ReadingFile readWithWarnings(const std::string& file, const std::string& poses);
+ReadingFile readWithWarnings(const std::string& file, const std::string& path);
 
 /// Reads settings and prints their warnings; the defaults if there is no file.
 /// @param file  may be empty

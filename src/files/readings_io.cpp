@@ -37,9 +37,12 @@ std::string placeCsv(std::int64_t stamp_ns, const Position& position) {
 
 }  // namespace
 
-ReadingFile readReadings(const std::string& file, const std::string& poses) {
-  std::optional<PoseTrack> track = poses.empty() ? std::nullopt : std::optional(PoseTrack(poses));
-  ScanTable table(file, !poses.empty());
+ReadingFile readReadings(const std::string& file, const std::string& path) {
+  ScanTable table(file, path.empty());
+  std::optional<PoseTrack> track;
+  if (!table.hasPositions()) {
+    track.emplace(path);
+  }
   ReadingFile result;
   while (table.next()) {
     Reading reading;

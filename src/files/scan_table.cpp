@@ -7,11 +7,11 @@ namespace {
 
 enum Column : std::size_t { kStamp, kX, kY, kBssid, kRssi, kMicroseconds, kType, kPhy };
 
-std::vector<CsvColumn> columnsOf(bool has_poses) {
-  const std::string advice = "; x and y may come from a file of poses: sfw map --poses";
+std::vector<CsvColumn> columnsOf(bool needs_positions) {
+  const std::string advice = "; x and y may come from a file of the path: --path";
   return {{"stamp", {"timestamp", "time", "FirstSeen", "ts_sec"}},
-          {"x", {}, !has_poses, advice},
-          {"y", {}, !has_poses, advice},
+          {"x", {}, needs_positions, advice},
+          {"y", {}, needs_positions, advice},
           {"bssid", {"mac", "transmac", "sourcemac"}},
           {"rssi_dbm", {"rssi", "signal"}},
           {"ts_usec", {}, false},
@@ -21,14 +21,16 @@ std::vector<CsvColumn> columnsOf(bool has_poses) {
 
 }  // namespace
 
-ScanTable::ScanTable(const std::string& file, bool has_poses)
-    : has_poses_(has_poses), table_(file, columnsOf(has_poses)) {
+ScanTable::ScanTable(const std::string& file, bool needs_positions)
+    : table_(file, columnsOf(needs_positions)) {
   if (table_.name(kRssi) == "signal" && table_.name(kStamp) != "ts_sec") {
     throw InputError(file +
                      ": line 1: the column 'rssi_dbm' is missing; 'signal' is read from "
                      "Kismet's packets only");
   }
 }
+
+bool ScanTable::hasPositions() const { return table_.has(kX) && table_.has(kY); }
 
 std::optional<RowFault> ScanTable::read(Reading& reading) const {
   std::optional<RowFault> fault = faultOfRow(table_);
@@ -38,7 +40,7 @@ std::optional<RowFault> ScanTable::read(Reading& reading) const {
   if (!fault) {
     fault = readTime(reading);
   }
-  if (!fault && !has_poses_) {
+  if (!fault && hasPositions()) {
     fault = readPosition(table_, kX, reading.antenna_in_map);
   }
   return fault ? fault : readSignal(reading);

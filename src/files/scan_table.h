@@ -13,9 +13,11 @@ namespace sfw {
 /// transmac, signal, phyname).
 class ScanTable {
  public:
-  /// @param has_poses  positions come from elsewhere: x and y are not read
+  /// @param needs_positions  a file without x and y is refused
   /// @throw InputError as CsvTable
-  ScanTable(const std::string& file, bool has_poses);
+  ScanTable(const std::string& file, bool needs_positions);
+
+  bool hasPositions() const;
 
   bool next() { return table_.next(); }
   std::string line() const { return table_.line(); }
@@ -28,7 +30,6 @@ class ScanTable {
   std::optional<RowFault> readSignal(Reading& reading) const;
   std::optional<RowFault> faultOfRadio() const;
 
-  bool has_poses_;
   CsvTable table_;
 };
 

@@ -70,13 +70,13 @@ class SameDrive(CommandLine):
 
     def test_poses_beside(self):
         poses = sorted({(float(row[0]), row[1], row[2]) for row in split_rows()})
-        file = self.write("poses.csv", "stamp,x,y\n" +
+        file = self.write("path.csv", "stamp,x,y\n" +
                           "".join("%.3f,%s,%s\n" % pose for pose in poses))
         table = ["stamp,bssid,rssi"] + [",".join((row[0], row[3], row[4])) for row in split_rows()]
-        self.is_the_same("\n".join(table), "--poses", file)
+        self.is_the_same("\n".join(table), "--path", file)
 
     def test_wigle_with_poses(self):
-        poses = self.write("poses.csv", "stamp,x,y\n" + "".join(
+        path = self.write("path.csv", "stamp,x,y\n" + "".join(
             "%.1f,%.2f,1\n" % (1000 + 0.5 * i, 0.1 * i) for i in range(120)))
         text = ("WigleWifi-1.6,appRelease=2.78,model=X,\"brand=Moog, LLC\",star=Sol\n"
                 "MAC,SSID,AuthMode,FirstSeen,Channel,Frequency,RSSI,CurrentLatitude,"
@@ -85,20 +85,15 @@ class SameDrive(CommandLine):
             text += ('%s,"Cafe, 1st",[WPA2],1970-01-01 00:%02d:%02d,6,2437,%d,52.5,13.4,30,8,,,WIFI\n'
                      % (NEAR, (1000 + i) // 60, (1000 + i) % 60, -40 - i // 2))
         readings = self.write("wigle.csv", text)
-        self.good(self.map("--poses", poses, readings=readings))
+        self.good(self.map("--path", path, readings=readings))
         report = json.loads((self.output / "report.json").read_text())
         self.assertEqual(report["access_points"][0]["readings"], 55)
         self.assertAlmostEqual(report["path"]["length_m"], 10.8, delta=0.01)
 
-    def test_poses_go_with_readings(self):
-        run = self.sfw("map", "--bag", "x.bag", "--poses", "p.csv", "--access-points",
-                       self.access_points, "--output", self.output)
-        self.bad(run, "--poses goes with --readings")
-
     def test_missing_positions_name_the_option(self):
         readings = self.write("none.csv", "stamp,bssid,rssi\n1,%s,-50\n" % NEAR)
         self.bad(self.map(readings=readings), "line 1: the column 'x' is missing; the file has "
-                 "'stamp', 'bssid', 'rssi'", "--poses")
+                 "'stamp', 'bssid', 'rssi'", "--path")
 
 
 class FarFromZero(CommandLine):

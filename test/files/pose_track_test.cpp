@@ -89,7 +89,7 @@ TEST_F(PosesBesideReadings, AreAskedForIfReadingsHaveNoPosition) {
   const std::string file = write("wigle.csv", kWigle + wigleRow(41));
   const std::string complaint = complaintOf([&] { readReadings(file); });
   EXPECT_NE(complaint.find("line 2: the column 'x' is missing"), std::string::npos) << complaint;
-  EXPECT_NE(complaint.find("sfw map --poses"), std::string::npos) << complaint;
+  EXPECT_NE(complaint.find("--path"), std::string::npos) << complaint;
 }
 
 TEST_F(PosesBesideReadings, AreRefusedWithBothTimesIfTheyNeverMeet) {

@@ -105,12 +105,12 @@ TEST_F(ReadingIo, NamesAMissingColumn) {
   for (const std::string column : {"stamp", "x", "y", "bssid", "rssi_dbm"}) {
     std::string header = kHeader;
     header.replace(header.find(column), column.size(), "other");
-    EXPECT_EQ(complaintOf(header + kRow),
-              path("readings.csv") + ": line 1: the column '" + column +
-                  "' is missing; the file has " + listed(header) +
-                  (column == "x" || column == "y"
-                       ? "; x and y may come from a file of poses: sfw map --poses"
-                       : ""));
+    EXPECT_EQ(
+        complaintOf(header + kRow),
+        path("readings.csv") + ": line 1: the column '" + column + "' is missing; the file has " +
+            listed(header) +
+            (column == "x" || column == "y" ? "; x and y may come from a file of the path: --path"
+                                            : ""));
   }
 }
 

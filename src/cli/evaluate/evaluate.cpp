@@ -27,7 +27,7 @@ struct EvaluateOptions {
   std::string map;
   std::string truth;
   std::string readings;
-  std::string poses;
+  std::string path;
   std::string access_points;
   std::string probability;
   std::vector<std::string> beside;
@@ -224,7 +224,7 @@ EvaluationInput inputFor(const EvaluateOptions& options, const std::vector<Readi
 }
 
 void run(const EvaluateOptions& options) {
-  std::vector<Reading> readings = readWithWarnings(options.readings, options.poses).readings;
+  std::vector<Reading> readings = readWithWarnings(options.readings, options.path).readings;
   const Position offset = offsetOf(readings);  // no metric depends on it
   subtract(offset, readings);
   EvaluationInput input = inputFor(options, readings, offset);
@@ -260,7 +260,7 @@ void runEvaluate(Options& options) {
                       "true map in the same frame (map_server YAML)");
   options.addRequired("readings", "FILE", evaluate.readings,
                       "CSV that the map was made from; its path says where to ask the map");
-  options.add("poses", "FILE", evaluate.poses,
+  options.add("path", "FILE", evaluate.path,
               "CSV with the columns stamp, x, y: positions for readings that have none");
   options.add("access-points", "FILE", evaluate.access_points,
               "YAML; adds the metrics of observed walls, those that a ray crosses");
