@@ -10,7 +10,7 @@ void MappingNodelet::advertiseLiveSettings() {
   ros::NodeHandle node(getPrivateNodeHandle(), "live");
   node.setCallbackQueue(&slow_calls_);
   // The server starts with the parameters in its namespace, which may be those of an earlier node.
-  toLive({config_, ros_settings_, {}}).__toServer__(node);
+  toLive({config_, ros_settings_, scan_settings_, {}}).__toServer__(node);
   live_server_ =
       std::make_unique<dynamic_reconfigure::Server<structure_from_wifi::LiveConfig>>(node);
   live_server_->setCallback(
@@ -18,7 +18,7 @@ void MappingNodelet::advertiseLiveSettings() {
 }
 
 void MappingNodelet::changeSettings(structure_from_wifi::LiveConfig& live) {
-  const MappingSettings present{config_, ros_settings_, {}};
+  const MappingSettings present{config_, ros_settings_, scan_settings_, {}};
   MappingSettings wanted = present;
   try {
     const std::vector<std::string> problems = takeLive(live, wanted);
@@ -40,7 +40,8 @@ void MappingNodelet::takeSettings(const structure_from_wifi::LiveConfig& live,
                                   const MappingSettings& wanted) {
   const ros::NodeHandle& node = getPrivateNodeHandle();
   bool has_changed = false, makes_another_map = false;
-  const structure_from_wifi::LiveConfig present = toLive({config_, ros_settings_, {}});
+  const structure_from_wifi::LiveConfig present =
+      toLive({config_, ros_settings_, scan_settings_, {}});
   forEachLiveSetting(present, wanted,
                      [&](const std::string& name, const auto& before, const auto& after) {
                        if (static_cast<std::decay_t<decltype(before)>>(after) != before) {
