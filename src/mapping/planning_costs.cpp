@@ -54,7 +54,7 @@ std::int8_t costOf(float risk) {
 }
 
 /// Cells that the robot clearly covered at its poses. What it touches lies at the edge of its
-/// footprint, so the outermost cell does not count.
+/// footprint, so the outermost half of a cell does not count.
 Mask footprintOf(const Snapshot& snapshot, double radius_m) {
   Mask poses(snapshot.belief.geometry());
   for (const PathPose& pose : snapshot.path) {
@@ -63,7 +63,7 @@ Mask footprintOf(const Snapshot& snapshot, double radius_m) {
       poses[c] = 1;
     }
   }
-  return dilated(poses, std::max(radius_m / poses.geometry.resolution() - 1.0, 0.0));
+  return dilated(poses, std::max(radius_m / poses.geometry.resolution() - 0.5, 0.0));
 }
 
 /// The direction in which the robot touched something, of length 1. Nothing without a pose, or if

@@ -94,14 +94,14 @@ std::vector<std::string> wallsAfterTouch(const Position& robot, const Position& 
 }
 
 TEST(TouchedWalls, StandAcrossTheDirectionOfTheTouch) {
-  EXPECT_EQ(wallsAfterTouch({0.45, 0.2}, {0.45, 0.35}),
+  EXPECT_EQ(wallsAfterTouch({0.45, 0.15}, {0.45, 0.35}),
             (std::vector<std::string>{".........",  //
                                       ".........",  //
                                       "..#####..",  //
                                       ".........",  //
                                       ".........",  //
                                       "........."}));
-  EXPECT_EQ(wallsAfterTouch({0.3, 0.35}, {0.45, 0.35}),
+  EXPECT_EQ(wallsAfterTouch({0.25, 0.35}, {0.45, 0.35}),
             (std::vector<std::string>{"....#....",  //
                                       "....#....",  //
                                       "....#....",  //
@@ -114,12 +114,12 @@ TEST(TouchedWalls, LeaveOutWhereTheRobotWas) {
   const GridGeometry geometry(0.1, {0.0, 0.0}, 9, 6);
   const BeliefMap nothing(geometry, {});
   // After the touch the robot passes on the right of it.
-  Snapshot snapshot{nothing, nothing, {{1000, {0.45, 0.2}}, {2000, {0.65, 0.35}}}, {}, {}};
+  Snapshot snapshot{nothing, nothing, {{1000, {0.45, 0.15}}, {2000, {0.65, 0.35}}}, {}, {}};
   snapshot.contacts = {{1010, {0.45, 0.35}}};
-  const Grid<std::int8_t> costs = planningCosts(snapshot, 0.15);
+  const Grid<std::int8_t> costs = planningCosts(snapshot, 0.16);
   EXPECT_EQ((costs[{2, 3}]), kOccupiedCost);
-  EXPECT_EQ((costs[{5, 3}]), kOccupiedCost);
-  EXPECT_EQ((costs[{6, 3}]), kUnknownCost) << "it stood here";
+  EXPECT_EQ((costs[{4, 3}]), kOccupiedCost);
+  EXPECT_EQ((costs[{5, 3}]), kUnknownCost) << "it covered this cell";
 }
 
 TEST(TouchedWalls, AreNotKnownWithoutThePoseOfTheRobot) {
