@@ -189,6 +189,14 @@ TEST_F(Cockpit, AWallStopsItAndIsFeltOnce) {
   EXPECT_GT(clearance(), kRadius);
 }
 
+TEST_F(Cockpit, AWallIsFeltAgainWhenItTurnsInTouch) {
+  ASSERT_TRUE(driveUntil(0.5, 0.0, [this] { return contacts_.back() && standsStill(); }));
+  const std::size_t before = contacts_.size();
+  ASSERT_TRUE(driveUntil(0.2, 0.5, [&] { return contacts_.size() > before; }));
+  EXPECT_TRUE(contacts_[before]);
+  ASSERT_TRUE(driveUntil(-0.2, 0.0, [this] { return !contacts_.back(); }));
+}
+
 TEST_F(Cockpit, ItTurnsOnTheSpot) {
   const Eigen::Vector2d start = position();
   const Eigen::Matrix2d before = poses_.back().linear();
