@@ -5,7 +5,7 @@
 
 #include "cli/warnings.h"
 #include "ros/conversion/input_messages.h"
-#include "ros/mapping/localization.h"
+#include "ros/conversion/ros_settings.h"
 
 namespace sfw {
 namespace {
@@ -20,7 +20,7 @@ std::string listed(const std::vector<std::string>& words) {
 }
 
 void replaceIfGiven(const std::string& given, std::string& frame) {
-  frame = given.empty() ? frame : plainFrame(given);
+  frame = given.empty() ? frame : withoutSlash(given);
 }
 
 }  // namespace
