@@ -16,6 +16,7 @@
 #include <type_traits>
 
 #include "mapping_nodelet_world.h"
+#include "shape_of.h"
 #include "support/slowdown.h"
 
 namespace sfw {
@@ -64,9 +65,11 @@ class HostileMessagesTest : public NodeletWorld {
   /// it.
   template <class Message>
   void send(const ros::Publisher& publisher, const Message& message) {
-    const auto shared = boost::make_shared<Message>(message);
-    publisher.publish(shared);
-    under_way_.push_back(shared);
+    if constexpr (std::is_same_v<Message, tf2_msgs::TFMessage>) {
+      publishShared(publisher, boost::make_shared<Message>(message));
+    } else {
+      publishShared(publisher, shapeOf(message));
+    }
   }
 
   void send(const HostileMessages::Message& message) {
@@ -84,6 +87,12 @@ class HostileMessagesTest : public NodeletWorld {
           }
         },
         message);
+  }
+
+  template <class Message>
+  void publishShared(const ros::Publisher& publisher, const boost::shared_ptr<Message>& message) {
+    publisher.publish(message);
+    under_way_.push_back(message);
   }
 
   /// Waits until the nodelet has taken all messages, and tried to locate their readings.

@@ -10,6 +10,7 @@
 
 #include "memory_limit.h"
 #include "nodelet_diagnostics_world.h"
+#include "shape_of.h"
 #include "small_disk.h"
 
 namespace sfw {
@@ -211,16 +212,17 @@ TEST_F(NodeletFaultsTest, AMessageWithoutMemoryIsCountedAndLeftOut) {
       ros::NodeHandle().advertise<sensor_msgs::PointCloud2>(name_ + "/contact_points", 10);
   load();
   ASSERT_TRUE(spinUntil([&] { return clouds.getNumSubscribers() > 0; }, 30.0));
-  const boost::shared_ptr<sensor_msgs::PointCloud2> cloud(new sensor_msgs::PointCloud2);
-  cloud->header.frame_id = "base_link";
-  cloud->header.stamp = at(0.0);
-  sensor_msgs::PointCloud2Modifier modifier(*cloud);
+  sensor_msgs::PointCloud2 cloud;
+  cloud.header.frame_id = "base_link";
+  cloud.header.stamp = at(0.0);
+  sensor_msgs::PointCloud2Modifier modifier(cloud);
   modifier.setPointCloud2FieldsByString(1, "xyz");
   modifier.resize(8'000'000);
+  const auto message = shapeOf(cloud);
   sendPose(0.0, 1.0, 2.0);
   {
     const MemoryLimit limit(32U << 20U);
-    clouds.publish(cloud);  // not copied within a process
+    clouds.publish(message);  // not copied within a process
     EXPECT_TRUE(logs(rosgraph_msgs::Log::ERROR, "could not be processed: std::bad_alloc"));
   }
   EXPECT_TRUE(hasValue(

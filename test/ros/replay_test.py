@@ -85,6 +85,7 @@ class Replay(unittest.TestCase):
             raise
         self.session.stop(launch)
         name = self.folder / ("rate_%g_workers_%s" % (rate, workers))
+        shutil.rmtree(name, ignore_errors=True)  # of the drive before
         saved.rename(name)
         return name
 

@@ -109,7 +109,7 @@ TEST(SimulatorConfig, NamesEveryProblemAtOnce) {
   EXPECT_EQ(problemsOf(tree),
             "noise: 'loud' is no noise level; the levels are none, low, moderate, realistic, hard\n"
             "speed must be a number\n"
-            "access_points[0]: 'x' must be a number from -1e6 to 1e6\n"
+            "access_points[0]: 'x' must be a number from -1e8 to 1e8\n"
             "plan and generate exclude each other: leave one of them empty\n"
             "generate must be flat or office\n"
             "route must be walls, sparse or a CSV file with the columns x, y\n"
