@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "output/map_picture.h"
 #include "ros/conversion/message_conversion.h"
@@ -44,9 +46,9 @@ visualization_msgs::Marker marker(const std_msgs::Header& header, const char* na
 
 visualization_msgs::Marker label(const std_msgs::Header& header, const char* name, int id,
                                  const std::string& text, const geometry_msgs::Point& at,
-                                 const Colour& colour) {
-  visualization_msgs::Marker message =
-      marker(header, name, id, visualization_msgs::Marker::TEXT_VIEW_FACING, kLetterHeight, colour);
+                                 const Colour& colour, double letter_height_m = kLetterHeight) {
+  visualization_msgs::Marker message = marker(
+      header, name, id, visualization_msgs::Marker::TEXT_VIEW_FACING, letter_height_m, colour);
   message.text = text;
   message.pose.position = at;
   return message;
@@ -153,15 +155,66 @@ std::string labelOf(const CheckedAccessPoint& checked) {
   return text;
 }
 
+/// A name that is to stand beside an access point.
+struct Name {
+  const CheckedAccessPoint* checked;
+  int id;
+  geometry_msgs::Point above;  // the access point
+};
+
 /// The name beside an access point. No line of the text covers the access point.
-visualization_msgs::Marker nameMarker(const CheckedAccessPoint& checked,
-                                      const std_msgs::Header& header, int id,
-                                      const geometry_msgs::Point& above) {
-  const std::string text = labelOf(checked);
+visualization_msgs::Marker nameMarker(const Name& name, const std_msgs::Header& header,
+                                      const std::string& text, double letter_height_m) {
   const auto more_lines = static_cast<double>(std::count(text.begin(), text.end(), '\n'));
-  geometry_msgs::Point at = above;
-  at.y += 0.4 + 0.5 * kLetterHeight * more_lines;
-  return label(header, "names", id, text, at, checked.isSuspect() ? kOrange : kViolet);
+  geometry_msgs::Point at = name.above;
+  at.y += 0.4 + 0.5 * letter_height_m * more_lines;
+  return label(header, "names", name.id, text, at, name.checked->isSuspect() ? kOrange : kViolet,
+               letter_height_m);
+}
+
+/// The name of the table, or the last two bytes of the address.
+std::string shortLabelOf(const CheckedAccessPoint& checked) {
+  constexpr std::size_t kLastBytes = 5;  // characters
+  const AccessPoint& access_point = checked.summary->access_point;
+  const std::string bssid = access_point.bssid.str();
+  return access_point.name.empty() ? ".." + bssid.substr(bssid.size() - kLastBytes)
+                                   : access_point.name;
+}
+
+/// The part of the floor that a line of text covers, seen from above.
+Box boxOf(const visualization_msgs::Marker& line) {
+  constexpr double kWidth = 0.6;  // of a letter, in letter heights
+  const Position centre(line.pose.position.x, line.pose.position.y);
+  const Position half =
+      0.5 * line.scale.z * Position(kWidth * static_cast<double>(line.text.size()), 1.0);
+  return {centre - half, centre + half};
+}
+
+/// Adds the names. Many of them would cover the map: then they are short and small, and a name that
+/// would cover another one is left out, unless its access point is suspect and the other one is
+/// not.
+void addNames(std::vector<Name> names, const std_msgs::Header& header,
+              std::vector<visualization_msgs::Marker>& markers) {
+  constexpr std::size_t kMostWhole = 12;
+  constexpr double kSmall = 0.2;  // [m]
+  if (names.size() <= kMostWhole) {
+    for (const Name& name : names) {
+      markers.push_back(nameMarker(name, header, labelOf(*name.checked), kLetterHeight));
+    }
+    return;
+  }
+  std::stable_partition(names.begin(), names.end(),
+                        [](const Name& name) { return name.checked->isSuspect(); });
+  std::vector<Box> taken;
+  for (const Name& name : names) {
+    visualization_msgs::Marker line = nameMarker(name, header, shortLabelOf(*name.checked), kSmall);
+    const Box box = boxOf(line);
+    if (std::none_of(taken.begin(), taken.end(),
+                     [&](const Box& other) { return other.intersects(box); })) {
+      taken.push_back(box);
+      markers.push_back(std::move(line));
+    }
+  }
 }
 
 bool shareAPosition(const CheckedAccessPoint& a, const CheckedAccessPoint& b) {
@@ -188,6 +241,7 @@ void addAccessPoints(const std::vector<CheckedAccessPoint>& all, const std_msgs:
   constexpr double kBall = 0.3;         // [m]
   constexpr double kUsualHeight = 1.0;  // [m], where the table gives none
   std::vector<visualization_msgs::Marker>& markers = array.markers;
+  std::vector<Name> names;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const AccessPointSummary& summary = *all[i].summary;
     if (!hasPosition(summary)) {
@@ -200,8 +254,7 @@ void addAccessPoints(const std::vector<CheckedAccessPoint>& all, const std_msgs:
                              all[i].isSuspect() ? kOrange : kViolet));
     markers.back().pose.position = toPoint(access_point.position, height);
     if (const CheckedAccessPoint* const named = labelled(all, i)) {
-      markers.push_back(
-          nameMarker(*named, header, id, toPoint(access_point.position, height + kBall)));
+      names.push_back({named, id, toPoint(access_point.position, height + kBall)});
     }
     if (summary.estimate) {
       markers.push_back(ellipseMarker(summary, header, id));
@@ -210,6 +263,7 @@ void addAccessPoints(const std::vector<CheckedAccessPoint>& all, const std_msgs:
       markers.push_back(doubtMarker(all[i], header, id, height));
     }
   }
+  addNames(std::move(names), header, markers);
 }
 
 void addLegend(const Snapshot& snapshot, const std_msgs::Header& header,

@@ -11,10 +11,10 @@ namespace sfw {
 /// Draws the path, the walls and the access points for rviz.
 ///
 /// The path is coloured by wall count, with a legend. Walls between passes of the robot are dark
-/// red; their opacity is their confidence. Access points have names. An estimated one has an
-/// ellipse of two standard deviations, which contains it with a probability of 86 %. An access
-/// point whose readings contradict its given position is orange. A line leads to the position that
-/// fits.
+/// red; their opacity is their confidence. Access points have names; where there are many, names
+/// are short and none covers another. An estimated access point has an ellipse of two standard
+/// deviations, which contains it with a probability of 86 %. An access point whose readings
+/// contradict its given position is orange. A line leads to the position that fits.
 visualization_msgs::MarkerArray toMarkers(const Snapshot& snapshot, const DataFindings& findings,
                                           const std_msgs::Header& header);
 
