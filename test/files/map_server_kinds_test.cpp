@@ -2,54 +2,16 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-
 #include "files/map_server.h"
-#include "structure_from_wifi/input_error.h"
 #include "support/ascii_world.h"
+#include "support/map_server_files.h"
 
 namespace sfw {
 namespace {
 
-using Rows = std::vector<std::string>;
 using test::rowsOf;
 
-const std::string kYaml = "image: map.pgm\nresolution: 0.1\norigin: [-1.5, 2.0, 0.0]\n";
-
-class MapServerKinds : public ::testing::Test {
- protected:
-  void SetUp() override {
-    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path(::testing::TempDir()) /
-              ("map_server_kinds_" + std::string(info->name()));
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  void write(const std::string& name, const std::string& bytes) const {
-    std::ofstream(folder_ / name, std::ios::binary) << bytes;
-  }
-
-  /// The path of a YAML file that, with an image beside it, holds these bytes.
-  std::string file(const std::string& yaml, const std::string& image) const {
-    write("map.yaml", yaml);
-    write("map.pgm", image);
-    return (folder_ / "map.yaml").string();
-  }
-
-  /// What readMap complains of.
-  std::string complaint(const std::string& yaml, const std::string& image) const {
-    try {
-      readMap(file(yaml, image));
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "nothing";
-  }
-
-  std::filesystem::path folder_;
-};
+using MapServerKinds = test::MapServerFiles;
 
 TEST_F(MapServerKinds, TheGreyOfUnknownCellsIsUnknownWithTheThresholdOfNav2) {
   const std::string image = "P2 4 1 255 254 206 205 0";
