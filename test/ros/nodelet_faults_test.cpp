@@ -136,6 +136,22 @@ TEST_F(NodeletFaultsTest, TransformsThatAreNoneGiveNoPosition) {
   EXPECT_EQ(rows(1), Rows{row(60.0, 1.0, 2.0, kFar, -60.0)});
 }
 
+TEST_F(NodeletFaultsTest, AnInfiniteTransformSpoilsNoOthers) {
+  load();
+  sendPose(0.0, 1.0, 2.0);
+  geometry_msgs::Transform broken = tilted(1.0, 0.0);
+  broken.translation.x = std::numeric_limits<double>::infinity();
+  sendTransform(1.0, broken);
+  sendPose(2.0, 2.0, 2.0);
+  for (const double seconds : {0.5, 1.0, 1.5}) {
+    sendScan(seconds, {{kNear, -50.0F}});
+  }
+  EXPECT_EQ(rows(3), (Rows{row(0.5, 1.25, 2.0, kNear, -50.0), row(1.0, 1.5, 2.0, kNear, -50.0),
+                           row(1.5, 1.75, 2.0, kNear, -50.0)}));
+  EXPECT_TRUE(logs(kWarn, "1 transforms on /tf are not finite and left out"));
+  EXPECT_TRUE(hasValue("transforms", "transforms left out because they are not finite", "1"));
+}
+
 TEST_F(NodeletFaultsTest, ATiltedRobotIsProjectedAndTold) {
   load();
   sendTransform(0.0, tilted(1.0, 0.0));

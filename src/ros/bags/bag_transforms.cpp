@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "ros/mapping/transform_intake.h"
 #include "structure_from_wifi/input_error.h"
 
 namespace sfw {
@@ -100,8 +101,7 @@ void loadTransforms(const BagFiles& bags, const std::string& topic, tf2::BufferC
     }
     const bool is_static = plainTopic(message.getTopic()) != topic;
     for (const geometry_msgs::TransformStamped& transform : tf->transforms) {
-      transforms.setTransform(transform, "bag", is_static);
-      watch.observe(transform, message.getCallerId());
+      takeTransform(transform, message.getCallerId(), is_static, transforms, watch);
     }
   }
 }

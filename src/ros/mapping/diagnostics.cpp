@@ -237,6 +237,7 @@ void describeTransforms(const MappingStatus& status, DiagnosticStatusWrapper& to
   }
   to.add("frame of the odometry", transform.odom_frame);
   to.add("transforms to and fro", status.frames.flips);
+  to.add("transforms left out because they are not finite", status.infinite_transforms);
   to.add("missing frames", joined(transform.missing_frames, ", "));
   to.add("error of tf", transform.tf_error);
   to.add("readings waiting for a transform", status.waiting);

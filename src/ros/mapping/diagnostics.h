@@ -41,7 +41,8 @@ struct MappingStatus {
   double running_s = 0.0;  ///< since the start
   std::vector<InputStatistics::Input> inputs;
   TransformStatus transform;
-  FrameFinding frames;  ///< what is wrong with transforms
+  FrameFinding frames;                  ///< what is wrong with transforms
+  std::size_t infinite_transforms = 0;  ///< left out
   double transform_timeout_s = 0.0;
   std::size_t waiting = 0;              ///< readings that wait for a transform
   std::size_t expired = 0;              ///< readings dropped without a transform

@@ -92,6 +92,11 @@ void MappingNodelet::diagnose() {
     subscribeAnew();
     mapper_->recordFrames(status_.frames);
     announceMissingInput();
+    if (announcements_.isNews("infinite transforms", status_.infinite_transforms)) {
+      NODELET_WARN_STREAM(status_.infinite_transforms
+                          << " transforms on /tf are not finite and left out; look for the node "
+                             "that publishes them");
+    }
   }
 }
 
@@ -109,6 +114,7 @@ MappingStatus MappingNodelet::status() const {
   status.transform = transformStatus(ros_settings_, *transforms_, ros::Time::now());
   status.frames = transform_watch_.finding(ros_settings_.antenna_frame);
   status.frames.floors_m = floors_.heights();
+  status.infinite_transforms = transform_intake_ ? transform_intake_->leftOut() : 0;
   status.transform_timeout_s = ros_settings_.transform_timeout_s;
   status.is_paused = paused_;
   status.waiting = queue_->size();

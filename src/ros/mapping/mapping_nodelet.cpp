@@ -88,23 +88,12 @@ void MappingNodelet::advertise() {
 }
 
 void MappingNodelet::subscribe() {
-  transform_listener_ = std::make_unique<tf2_ros::TransformListener>(*transforms_, getNodeHandle());
-  constexpr std::uint32_t kQueue = 100;  // as of the listener
-  for (const char* topic : {"/tf", "/tf_static"}) {
-    subscribers_.push_back(
-        getNodeHandle().subscribe(topic, kQueue, &MappingNodelet::watchTransforms, this));
-  }
+  transform_intake_.emplace(getNodeHandle(), *transforms_, transform_watch_);
   const std::lock_guard<std::mutex> lock(subscribing_);
   for (const Input& input : kInputs) {
     const std::string topic = getNodeHandle().resolveName(input.topic);
     subscriptions_.push_back({&input, statistics_.add(topic, input.is_radio), {}, false, 0});
     subscribeTo(subscriptions_.back());
-  }
-}
-
-void MappingNodelet::watchTransforms(const ros::MessageEvent<tf2_msgs::TFMessage const>& event) {
-  for (const geometry_msgs::TransformStamped& transform : event.getConstMessage()->transforms) {
-    transform_watch_.observe(transform, event.getPublisherName());
   }
 }
 

@@ -15,9 +15,7 @@
 #include <structure_from_wifi/ClearRegion.h>
 #include <structure_from_wifi/LoadMap.h>
 #include <structure_from_wifi/SaveMap.h>
-#include <tf2_msgs/TFMessage.h>
 #include <tf2_ros/buffer.h>
-#include <tf2_ros/transform_listener.h>
 #include <topic_tools/shape_shifter.h>
 
 #include <atomic>
@@ -42,6 +40,7 @@
 #include "ros/mapping/pose_watch.h"
 #include "ros/mapping/refresh_rule.h"
 #include "ros/mapping/shared_mapper.h"
+#include "ros/mapping/transform_intake.h"
 #include "ros/mapping/transform_watch.h"
 #include "structure_from_wifi/config.h"
 #include "structure_from_wifi/data_checks.h"
@@ -87,7 +86,6 @@ class MappingNodelet : public nodelet::Nodelet {
   void subscribeTo(Subscription& to);
 
   // In the manager's threads.
-  void watchTransforms(const ros::MessageEvent<tf2_msgs::TFMessage const>& event);
   void receive(const Input& input, std::size_t index, const topic_tools::ShapeShifter& message);
   void convert(const Input& input, std::size_t index, const AnyMessage& message);
   void noteFailedMessage(const std::string& topic, std::size_t index,
@@ -177,10 +175,9 @@ class MappingNodelet : public nodelet::Nodelet {
   std::optional<MapPublishers> publishers_;
 
   std::optional<tf2_ros::Buffer> transforms_;
-  std::unique_ptr<tf2_ros::TransformListener> transform_listener_;
   TransformWatch transform_watch_;
+  std::optional<TransformIntake> transform_intake_;
   Floors floors_;
-  std::vector<ros::Subscriber> subscribers_;
   std::mutex subscribing_;                   // around the next member
   std::vector<Subscription> subscriptions_;  // to the inputs
 
