@@ -138,7 +138,8 @@ class Replay(unittest.TestCase):
                 self.write(stops, messages)
                 self.split = self.split_bag(messages, bags)
                 maps = self.check(2 * len(stops[::20]), (1, 4), with_csv=False)
-                self.check_path(maps)
+                self.check_files(maps[1])
+                self.check_path(maps[1])
 
     def test_a_bumper_gives_one_map_by_all_ways(self):
         """The robot stands while it touches, because a bumper's message has no stamp of its own."""
@@ -156,16 +157,20 @@ class Replay(unittest.TestCase):
         self.assertNotEqual((self.folder / "untouched" / "map.pgm").read_bytes(),
                             (maps[0] / "map.pgm").read_bytes(), "the contact does not matter")
 
-    def check_path(self, maps):
-        """The files that ~save_map wrote give its map again, but only with the path."""
-        for name, options in (("again", ["--path", maps[1] / "path.csv"]), ("without", [])):
-            with RosSession(with_master=False) as self.session:
-                self.mapped(name, "--readings", maps[1] / "readings.csv", *options)
+    def check_files(self, saved, table=TABLE):
+        """The files that ~save_map wrote give its map again."""
+        with RosSession(with_master=False) as self.session:
+            again = self.mapped("again", "--readings", saved / "readings.csv", "--path",
+                                saved / "path.csv", table=table)
         for file in COMPARED:
-            self.assertEqual((self.folder / "again" / file).read_bytes(),
-                             (maps[1] / file).read_bytes(), file)
-        self.assertNotEqual((self.folder / "without" / "map.pgm").read_bytes(),
-                            (maps[1] / "map.pgm").read_bytes(), "the path does not matter")
+            self.assertEqual((again / file).read_bytes(), (saved / file).read_bytes(), file)
+
+    def check_path(self, saved):
+        """The readings alone give another map."""
+        with RosSession(with_master=False) as self.session:
+            without = self.mapped("without", "--readings", saved / "readings.csv")
+        self.assertNotEqual((without / "map.pgm").read_bytes(), (saved / "map.pgm").read_bytes(),
+                            "the path does not matter")
 
     def split_bag(self, messages, parts):
         """The names of the bags that `rosbag record --split` would have made."""
@@ -179,8 +184,10 @@ class Replay(unittest.TestCase):
     @unittest.skipUnless(HOME_A.is_dir(), "%s is missing" % HOME_A)
     def test_a_real_drive_gives_one_map_by_all_ways(self):
         stops = recording_bag.recorded_stops(HOME_A / "two_routers.csv", 60)
-        self.check(self.write(stops, recording_bag.plain_messages(stops)), (10,),
-                   HOME_A / "access_points.yaml")
+        table = HOME_A / "access_points.yaml"
+        readings = self.write(stops, recording_bag.plain_messages(stops))
+        maps = self.check(readings, (10,), table, with_csv=False)
+        self.check_files(maps[1], table)
 
     def test_replay_launch_does_what_mapping_launch_does(self):
         stops = recording_bag.synthetic_stops()
