@@ -1,8 +1,6 @@
 #include "files/csv.h"
 
-#include <functional>
-
-#include "structure_from_wifi/input_error.h"
+#include "support/complaint.h"
 #include "support/temporary_folder.h"
 
 namespace sfw {
@@ -34,12 +32,7 @@ class Csv : public test::TemporaryFolder {
   }
 
   std::string complaintOf(const std::string& text) const {
-    try {
-      rowsOf(text);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "nothing";
+    return test::complaintOf([&] { rowsOf(text); });
   }
 
   mutable std::vector<std::string> lines_;

@@ -1,11 +1,11 @@
-#include <functional>
-
-#include "structure_from_wifi/input_error.h"
 #include "structure_from_wifi/readings_io.h"
+#include "support/complaint.h"
 #include "support/temporary_folder.h"
 
 namespace sfw {
 namespace {
+
+using test::complaintOf;
 
 const std::string kWigle =
     "WigleWifi-1.4,appRelease=2.53,model=X,release=1,device=d,display=e,board=b,brand=m\n"
@@ -24,15 +24,6 @@ class PosesBesideReadings : public test::TemporaryFolder {
  protected:
   ReadingFile readText(const std::string& readings, const std::string& poses = kPoses) const {
     return readReadings(write("readings.csv", readings), write("poses.csv", poses));
-  }
-
-  std::string complaintOf(const std::function<void()>& action) const {
-    try {
-      action();
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "nothing";
   }
 };
 

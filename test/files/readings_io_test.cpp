@@ -1,8 +1,6 @@
 #include "structure_from_wifi/readings_io.h"
 
-#include <functional>
-
-#include "structure_from_wifi/input_error.h"
+#include "support/complaint.h"
 #include "support/temporary_folder.h"
 
 namespace sfw {
@@ -17,17 +15,8 @@ class ReadingIo : public test::TemporaryFolder {
     return readReadings(write("readings.csv", text));
   }
 
-  std::string complaintOf(const std::function<void()>& action) const {
-    try {
-      action();
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "nothing";
-  }
-
   std::string complaintOf(const std::string& text) const {
-    return complaintOf([&] { readText(text); });
+    return test::complaintOf([&] { readText(text); });
   }
 
   /// The stamp of the only reading of a table.
@@ -213,9 +202,11 @@ TEST_F(ReadingIo, RefusesStampsThatAreAlmostNumbers) {
 
 TEST_F(ReadingIo, NamesAFileThatCannotBeRead) {
   const std::string missing = path("missing.csv");
-  EXPECT_EQ(complaintOf([&] { readReadings(missing); }).rfind(missing + ": cannot be read", 0), 0U);
+  EXPECT_EQ(
+      test::complaintOf([&] { readReadings(missing); }).rfind(missing + ": cannot be read", 0), 0U);
   const std::string folder = folder_.string();
-  EXPECT_EQ(complaintOf([&] { readReadings(folder); }).rfind(folder + ": cannot be read", 0), 0U);
+  EXPECT_EQ(test::complaintOf([&] { readReadings(folder); }).rfind(folder + ": cannot be read", 0),
+            0U);
 }
 
 TEST_F(ReadingIo, ReadsContacts) {
@@ -229,9 +220,10 @@ TEST_F(ReadingIo, ReadsContacts) {
 
 TEST_F(ReadingIo, RefusesContactsThatCannotBeUsed) {
   const std::string file = write("contacts.csv", "stamp,x,y\n1,2,3\n1,nan,3\n");
-  EXPECT_EQ(complaintOf([&] { readContacts(file); }), file + ": line 3: x is not finite: x 'nan'");
+  EXPECT_EQ(test::complaintOf([&] { readContacts(file); }),
+            file + ": line 3: x is not finite: x 'nan'");
   const std::string lacking = write("lacking.csv", "stamp,x\n1,2\n");
-  EXPECT_EQ(complaintOf([&] { readContacts(lacking); }),
+  EXPECT_EQ(test::complaintOf([&] { readContacts(lacking); }),
             lacking + ": line 1: the column 'y' is missing; the file has 'stamp', 'x'");
 }
 

@@ -6,26 +6,18 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <set>
 
 #include "structure_from_wifi/access_points_io.h"
 #include "structure_from_wifi/config.h"
-#include "structure_from_wifi/input_error.h"
+#include "support/complaint.h"
 
 namespace sfw {
 namespace {
 
-const std::filesystem::path kConfigs = std::filesystem::path(SFW_SOURCE_DIR) / "config";
+using test::complaintOf;
 
-std::string complaintOf(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "nothing";
-}
+const std::filesystem::path kConfigs = std::filesystem::path(SFW_SOURCE_DIR) / "config";
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;

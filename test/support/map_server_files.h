@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "files/map_server.h"
-#include "structure_from_wifi/input_error.h"
+#include "support/complaint.h"
 #include "support/temporary_folder.h"
 
 namespace sfw::test {
@@ -22,12 +22,7 @@ class MapServerFiles : public TemporaryFolder {
 
   /// What readMap complains of.
   std::string complaint(const std::string& yaml, const std::string& image) const {
-    try {
-      readMap(file(yaml, image));
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "nothing";
+    return complaintOf([&] { readMap(file(yaml, image)); });
   }
 
   const std::string kYaml = "image: map.pgm\nresolution: 0.1\norigin: [-1.5, 2.0, 0.0]\n";
