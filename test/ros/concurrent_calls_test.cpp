@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "mapping_nodelet_world.h"
+#include "ros/service_call.h"
 #include "structure_from_wifi/access_points_io.h"
 #include "structure_from_wifi/map_files.h"
 #include "structure_from_wifi/mapper.h"
@@ -75,7 +76,7 @@ class ConcurrentCallsTest : public NodeletWorld {
   template <class Service>
   Service call(const std::string& service) {
     Service message;
-    EXPECT_TRUE(ros::service::call(name_ + service, message)) << service;
+    EXPECT_TRUE(callService(name_ + service, message)) << service;
     return message;
   }
 

@@ -16,6 +16,7 @@
 #include <type_traits>
 
 #include "mapping_nodelet_world.h"
+#include "ros/service_call.h"
 #include "shape_of.h"
 #include "support/slowdown.h"
 
@@ -104,7 +105,7 @@ class HostileMessagesTest : public NodeletWorld {
     // Its locating thread answers between two of its steps, so a whole step lies between two calls.
     for (int i = 0; i < 2; ++i) {
       std_srvs::SetBool pause;
-      ASSERT_TRUE(ros::service::call(name_ + "/mapping/pause", pause));
+      ASSERT_TRUE(callService(name_ + "/mapping/pause", pause));
     }
   }
 

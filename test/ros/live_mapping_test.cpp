@@ -10,6 +10,7 @@
 
 #include "mapping_nodelet_world.h"
 #include "ros/mapping/shared_mapper.h"
+#include "ros/service_call.h"
 #include "support/slowdown.h"
 
 namespace sfw {
@@ -134,7 +135,7 @@ TEST_F(LiveMappingTest, AnswersAndTakesReadingsWhileItMaps) {
   int answers = 0;
   while (!saved) {
     nav_msgs::GetMap map;
-    EXPECT_TRUE(ros::service::call(name_ + "/dynamic_map", map));
+    EXPECT_TRUE(callService(name_ + "/dynamic_map", map));
     answers += saved ? 0 : 1;
   }
   saving.join();
@@ -154,7 +155,7 @@ TEST_F(LiveMappingTest, AResetOutdatesTheMapThatIsBeingMade) {
   sendLeg(kLegs);
   ros::WallDuration(0.1).sleep();  // it is at work again
   std_srvs::Trigger reset;
-  ASSERT_TRUE(ros::service::call(name_ + "/mapping/reset", reset));
+  ASSERT_TRUE(callService(name_ + "/mapping/reset", reset));
   EXPECT_TRUE(reset.response.success);
   EXPECT_TRUE(spinUntil([&] { return !knows(); }, 30.0));
   EXPECT_FALSE(spinUntil(knows, 2.0)) << "a map of before the reset came after it";

@@ -16,6 +16,7 @@
 #include <iterator>
 
 #include "mapping_launch_world.h"
+#include "ros/service_call.h"
 
 namespace sfw {
 namespace {
@@ -45,7 +46,7 @@ std::map<fs::path, std::string> contentOf(const fs::path& directory) {
 structure_from_wifi::SaveMap::Response save(const std::string& directory) {
   structure_from_wifi::SaveMap call;
   call.request.directory = directory;
-  EXPECT_TRUE(ros::service::call(Mapping::mapper() + "/save_map", call));
+  EXPECT_TRUE(callService(Mapping::mapper() + "/save_map", call));
   return call.response;
 }
 
@@ -114,7 +115,7 @@ TEST_F(Mapping, CostsBelongToTheMap) {
 
 TEST_F(Mapping, DynamicMapIsTheTopicsMap) {
   nav_msgs::GetMap call;
-  ASSERT_TRUE(ros::service::call("dynamic_map", call));
+  ASSERT_TRUE(callService("dynamic_map", call));
   ASSERT_NE(world().map, nullptr);
   EXPECT_EQ(call.response.map.header.frame_id, world().map->header.frame_id);
   EXPECT_EQ(call.response.map.info, world().map->info);
@@ -149,8 +150,8 @@ TEST_F(Mapping, TheOctomapTopicsHoldTheMap) {
 TEST_F(Mapping, TheOctomapServicesHoldTheMap) {
   waitUntilQuiet();  // the services answer with the newest map
   octomap_msgs::GetOctomap binary, full;
-  ASSERT_TRUE(ros::service::call("octomap_binary", binary));
-  ASSERT_TRUE(ros::service::call("octomap_full", full));
+  ASSERT_TRUE(callService("octomap_binary", binary));
+  ASSERT_TRUE(callService("octomap_full", full));
   expectTheMap(binary.response.map, true);
   expectTheMap(full.response.map, false);
 }
@@ -256,7 +257,7 @@ TEST_F(Mapping, AResetForgetsEverythingButTheGeometry) {
   world().map.reset();
   world().binary.reset();
   std_srvs::Trigger call;
-  ASSERT_TRUE(ros::service::call(mapper() + "/reset", call));
+  ASSERT_TRUE(callService(mapper() + "/reset", call));
   EXPECT_TRUE(call.response.success);
   ASSERT_TRUE(spinUntil([] { return world().map && world().binary; }, 30.0));
   EXPECT_EQ(world().map->info.width, info.width);

@@ -21,6 +21,7 @@
 #include <utility>
 #include <vector>
 
+#include "ros/service_call.h"
 #include "strict_consumers.h"
 #include "support/slowdown.h"
 
@@ -152,7 +153,7 @@ class NodeletWorld : public testing::Test {
   structure_from_wifi::SaveMap::Response save(const std::string& directory) {
     structure_from_wifi::SaveMap save;
     save.request.directory = directory;
-    EXPECT_TRUE(ros::service::call(name_ + "/mapping/save_map", save));
+    EXPECT_TRUE(callService(name_ + "/mapping/save_map", save));
     return save.response;
   }
 

@@ -16,6 +16,7 @@
 #include <string>
 
 #include "mapping_nodelet_world.h"
+#include "ros/service_call.h"
 
 namespace sfw {
 namespace {
@@ -36,21 +37,21 @@ class NodeletSessionTest : public NodeletWorld {
 
   void reset() {
     std_srvs::Trigger call;
-    ASSERT_TRUE(ros::service::call(name_ + "/mapping/reset", call));
+    ASSERT_TRUE(callService(name_ + "/mapping/reset", call));
     EXPECT_TRUE(call.response.success);
   }
 
   structure_from_wifi::LoadMap::Response loadSession(const std::string& directory) {
     structure_from_wifi::LoadMap call;
     call.request.directory = directory;
-    EXPECT_TRUE(ros::service::call(name_ + "/mapping/load_map", call));
+    EXPECT_TRUE(callService(name_ + "/mapping/load_map", call));
     return call.response;
   }
 
   void pause(bool pause) {
     std_srvs::SetBool call;
     call.request.data = pause ? 1 : 0;
-    ASSERT_TRUE(ros::service::call(name_ + "/mapping/pause", call));
+    ASSERT_TRUE(callService(name_ + "/mapping/pause", call));
     EXPECT_TRUE(call.response.success);
   }
 
@@ -65,7 +66,7 @@ class NodeletSessionTest : public NodeletWorld {
   /// The map last published, which may be on its way still.
   nav_msgs::OccupancyGrid servedMap() const {
     nav_msgs::GetMap call;
-    EXPECT_TRUE(ros::service::call(name_ + "/dynamic_map", call));
+    EXPECT_TRUE(callService(name_ + "/dynamic_map", call));
     return call.response.map;
   }
 
@@ -209,10 +210,10 @@ TEST_F(NodeletSessionTest, AClearedRegionIsForgotten) {
   drive();
   ASSERT_TRUE(mapAppears());
   structure_from_wifi::ClearRegion call;
-  ASSERT_TRUE(ros::service::call(name_ + "/mapping/clear_region", call));
+  ASSERT_TRUE(callService(name_ + "/mapping/clear_region", call));
   EXPECT_FALSE(call.response.success) << "neither polygon nor radius";
   call.request.radius = 100.0;
-  ASSERT_TRUE(ros::service::call(name_ + "/mapping/clear_region", call));
+  ASSERT_TRUE(callService(name_ + "/mapping/clear_region", call));
   EXPECT_TRUE(call.response.success);
   EXPECT_EQ(call.response.readings, 120U);
   EXPECT_TRUE(spinUntil([&] { return freeCells() == 0; }, 20.0 * kSlowdown));

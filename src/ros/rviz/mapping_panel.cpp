@@ -14,6 +14,8 @@
 #include <chrono>
 #include <utility>
 
+#include "ros/service_call.h"
+
 namespace sfw {
 namespace {
 
@@ -191,8 +193,8 @@ void MappingPanel::call(const std::string& name, const Service& request) {
     if (!ros::service::exists(name, false)) {
       return name + " does not exist: look whether the node runs.";
     }
-    return ros::service::call(name, call) ? messageOf(call.response)
-                                          : name + " failed: see the log of the node.";
+    return callService(name, call) ? messageOf(call.response)
+                                   : name + " failed: see the log of the node.";
   });
   refresh();
 }
