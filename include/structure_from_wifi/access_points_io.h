@@ -19,7 +19,7 @@ struct AccessPointReading {
 };
 
 /// Reads `[{bssid, x?, y?, z?, name?, tx_dbm?}]`.
-/// @throw InputError if the table is missing or empty, or naming every unusable or repeated entry.
+/// @throw InputError if the table is missing, or naming every unusable or repeated entry.
 SFW_EXPORT AccessPointReading accessPointsFromYaml(const YAML::Node& table);
 
 /// Reads a table as accessPointsFromYaml does, from the key `access_points` of a file.

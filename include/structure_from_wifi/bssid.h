@@ -20,6 +20,10 @@ class SFW_EXPORT Bssid {
   /// The canonical form, lower case with colons.
   std::string str() const;
 
+  /// Whether two addresses often belong to one radio: their last octets differ by less than 16, and
+  /// the others are equal, but for the first one, which shows variants of local administration.
+  bool isRelatedTo(Bssid other) const;
+
   /// Compares addresses.
   /// @{
   friend bool operator==(Bssid a, Bssid b) { return a.value_ == b.value_; }

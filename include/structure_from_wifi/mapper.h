@@ -32,6 +32,9 @@ enum class UseRadio;
 /// Copies share the immutable parts. Not thread-safe; its owner serialises calls.
 class SFW_EXPORT Mapper {
  public:
+  /// @param access_points  the table; if it is empty, each BSSID that is heard joins it (2000 at
+  /// most),
+  ///                       and its position is estimated
   /// @throw InputError if the configuration or the table of access points cannot be used.
   Mapper(const Config& config, const std::vector<AccessPoint>& access_points);
   /// Copies or moves readings and settings.

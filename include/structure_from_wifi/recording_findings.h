@@ -78,9 +78,9 @@ struct GapFinding {
   double max_gap_m = 0.0;  ///< the setting
 };
 
-/// Radios of the table whose signals are the same everywhere.
+/// Radios that send several BSSIDs. A map takes each of them as one witness.
 struct AliasFinding {
-  std::vector<std::vector<Bssid>> groups;  ///< of the BSSIDs of one radio
+  std::vector<std::vector<Bssid>> groups;  ///< the BSSIDs of each such radio
 };
 
 /// What the ROS side finds in transforms. The mapper only passes it on to the notes.

@@ -59,6 +59,10 @@ struct AccessPointSummary {
 
   double rssi_deviation_db = 0.0;  ///< standard deviation of its readings
 
+  /// The BSSID that stands for its radio, if that is another one. Its readings are joined with
+  /// those of that one, and it has the position of that one.
+  std::optional<Bssid> radio = {};
+
   /// Number of its readings that were offered to the mapper, used or not.
   std::size_t heard = 0;
 
@@ -68,6 +72,18 @@ struct AccessPointSummary {
 /// Whether an access point has a position, given or estimated.
 inline bool hasPosition(const AccessPointSummary& summary) {
   return summary.access_point.position_known || summary.estimate;
+}
+
+/// The largest standard deviation of an estimated position that tells where signals come from [m].
+/// With a larger one, the rays to the readings pass through other rooms than the signals.
+constexpr double kUsefulDeviationM = 3.0;
+
+/// Whether a map uses the readings of an access point: its position is given, or the standard
+/// deviations of the estimate are at most kUsefulDeviationM.
+inline bool isPlaced(const AccessPointSummary& summary) {
+  return summary.access_point.position_known ||
+         (summary.estimate && summary.estimate->covariance.diagonal().maxCoeff() <=
+                                  kUsefulDeviationM * kUsefulDeviationM);
 }
 
 /// Share of the belief model's expert for each driving style; the shares sum to 1.
@@ -134,6 +150,10 @@ struct Snapshot {
   /// cells of outer walls stay unknown. Only method tomography with `belief/walls: network` finds
   /// walls.
   std::vector<WallSegment> walls = {};
+
+  /// Whether a table of access points was given. Without one, access_points are all BSSIDs that
+  /// were heard, by address.
+  bool has_table = true;
 
   RecordingFindings recording = {};  ///< what is wrong with the recording
 

@@ -83,4 +83,14 @@ std::string Bssid::str() const {
   return text;
 }
 
+bool Bssid::isRelatedTo(Bssid other) const {
+  constexpr std::uint64_t kMiddleOctets = 0x00ffffffff00;
+  constexpr std::uint64_t kLastOctet = 0xff;
+  constexpr std::uint64_t kApart = 16;
+  const std::uint64_t a = value_ & kLastOctet;
+  const std::uint64_t b = other.value_ & kLastOctet;
+  return (value_ & kMiddleOctets) == (other.value_ & kMiddleOctets) &&
+         std::max(a, b) - std::min(a, b) < kApart;
+}
+
 }  // namespace sfw

@@ -85,6 +85,7 @@ DriveFeatures extractDriveFeatures(const DriveData& drive, const Config& config,
   for (const AccessPointSamples& one : drive.access_points) {
     access_points.push_back(binSamples(one.samples, one.access_point_in_map, one.height_m, frame,
                                        config.tomography.bin_size_m));
+    access_points.back().covariance = frame.toBuilding(one.covariance_in_map);
   }
   const GridGeometry geometry = buildingGeometry(driven, access_points, config.map);
   Mask crossed = cellsCrossed(geometry, driven, config.path.max_gap_m);

@@ -17,6 +17,9 @@ struct AccessPointSamples {
   Position access_point_in_map = Position::Zero();  ///< [m]
   std::optional<double> height_m;                   ///< of the access point above the floor
   std::vector<Sample> samples;                      ///< in the order of their stamps
+
+  /// Covariance of the access point's position [m2], map frame; zero if it is known.
+  Eigen::Matrix2d covariance_in_map = Eigen::Matrix2d::Zero();
 };
 
 /// The data of a drive, from which a map is inferred.

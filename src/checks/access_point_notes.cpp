@@ -26,12 +26,14 @@ void addNoteOnMissingPositions(const Snapshot& snapshot, Notes& notes) {
   std::vector<Bssid> without;
   bool is_any_placed = false;
   for (const AccessPointSummary& summary : snapshot.access_points) {
-    is_any_placed = is_any_placed || (hasPosition(summary) && summary.readings > 0);
-    if (!hasPosition(summary) && summary.readings > 0) {
+    is_any_placed = is_any_placed || (isPlaced(summary) && summary.readings > 0);
+    if (!hasPosition(summary) && summary.readings > 0 && !summary.radio) {
       without.push_back(summary.access_point.bssid);
     }
   }
-  if (!without.empty() && is_any_placed) {  // without any, another note says so
+  // Without any position, another note says so. Without a table, some radios are always heard too
+  // little.
+  if (!without.empty() && is_any_placed && snapshot.has_table) {
     notes.push_back({MapNote::Kind::kTooLittle, "no position",
                      counted(without.size(), "access point is", "access points are") +
                          " left out, having no position and too few readings to estimate one: " +
@@ -61,9 +63,9 @@ void addNoteOnAliases(const AliasFinding& aliases, Notes& notes) {
   }
   notes.push_back(
       {MapNote::Kind::kAccessPoint, aboutOf("aliases", bssids),
-       std::to_string(bssids) + " access points are " + counted(groups.size(), "radio", "radios") +
+       std::to_string(bssids) + " BSSIDs are " + counted(groups.size(), "radio", "radios") +
            " under several BSSIDs, for their signals are the same everywhere: " + named(groups) +
-           "; keep one of each in the table, or all count as evidence"});
+           "; their readings are joined, so each radio counts once"});
 }
 
 void addNoteOnWrongPositions(const Snapshot& snapshot, const DataFindings& findings, Notes& notes) {
@@ -103,7 +105,7 @@ void addNoteOnWrongPositions(const Snapshot& snapshot, const DataFindings& findi
 void addNoteOnAmbiguousPositions(const Snapshot& snapshot, Notes& notes) {
   std::vector<Bssid> ambiguous;
   for (const AccessPointSummary& summary : snapshot.access_points) {
-    if (summary.estimate && summary.estimate->ambiguous) {
+    if (summary.estimate && summary.estimate->ambiguous && !summary.radio) {
       ambiguous.push_back(summary.access_point.bssid);
     }
   }
@@ -112,8 +114,8 @@ void addNoteOnAmbiguousPositions(const Snapshot& snapshot, Notes& notes) {
                      counted(ambiguous.size(), "access point has", "access points have") +
                          " several likely positions, such as on both sides of a straight path: " +
                          named(ambiguous) +
-                         "; the map uses the likeliest one; measure the position, or drive around "
-                         "it"});
+                         "; the map leaves out those that are uncertain by over 3 m; measure the "
+                         "position, or drive around it"});
   }
 }
 

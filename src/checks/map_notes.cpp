@@ -19,7 +19,7 @@ constexpr std::size_t kFewReadings = 50;
 std::size_t usedReadings(const Snapshot& snapshot) {
   std::size_t readings = 0;
   for (const AccessPointSummary& summary : snapshot.access_points) {
-    readings += hasPosition(summary) ? summary.readings : 0;
+    readings += isPlaced(summary) ? summary.readings : 0;
   }
   return readings;
 }
@@ -29,9 +29,11 @@ void addNoteOnSignals(const Snapshot& snapshot, Notes& notes) {
   std::size_t all_readings = 0;
   const std::size_t readings = usedReadings(snapshot);
   double deviation_db = 0.0;
+  bool is_any_estimated = false;
   for (const AccessPointSummary& summary : snapshot.access_points) {
     all_readings += summary.readings;
-    if (hasPosition(summary)) {
+    is_any_estimated = is_any_estimated || summary.estimate;
+    if (isPlaced(summary)) {
       deviation_db = std::max(deviation_db, summary.rssi_deviation_db);
     }
   }
@@ -41,12 +43,24 @@ void addNoteOnSignals(const Snapshot& snapshot, Notes& notes) {
   if (all_readings == 0) {
     notes.push_back(
         {MapNote::Kind::kTooLittle, "",
-         "no reading of an access point of the table can be used: the map follows from the path "
-         "alone; compare the BSSIDs"});
+         snapshot.has_table
+             ? "no reading of an access point of the table can be used: the map follows from the "
+               "path alone; compare the BSSIDs"
+             : "no reading can be used: the map follows from the path alone"});
+  } else if (readings == 0 && is_any_estimated) {
+    if (!isStraight(snapshot.path)) {  // another note says what that leads to
+      notes.push_back(
+          {MapNote::Kind::kTooLittle, "",
+           "the position of each access point is uncertain by over 3 m: the map follows "
+           "from the path alone; drive on, or give positions"});
+    }
   } else if (readings == 0) {
     notes.push_back({MapNote::Kind::kTooLittle, "",
-                     "no access point with readings has a position: the map follows from the path "
-                     "alone; add positions to the table of access points"});
+                     std::string("no access point with readings has a position: the map follows "
+                                 "from the path alone; ") +
+                         (snapshot.has_table ? "add positions to the table of access points"
+                                             : "drive on, or give a table of access points with "
+                                               "positions")});
   } else if (readings < kFewReadings) {
     notes.push_back({MapNote::Kind::kTooLittle, "",
                      "only " + counted(readings, "reading is", "readings are") +

@@ -136,7 +136,6 @@ RecordingFindings checkRecording(const CheckedRecording& recording) {
   if (!findings.signal_unit && are_poses_right) {
     findings.cached = checkCachedSignals(recording.table, radios.signals);
     findings.bursts = checkBursts(radios.signals);
-    findings.aliases = findAliases(recording.table, radios.signals);
     findings.single_place = findHeardAtOnePlace(recording.table, radios.signals, recording.path);
   }
   if (are_poses_right && !findings.bursts) {

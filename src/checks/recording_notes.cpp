@@ -101,7 +101,8 @@ void addNoteOnCache(const CachedFinding& cached, Notes& notes) {
                    "signals of " + counted(cached.radios.size(), "access point", "access points") +
                        " (" + named(cached.radios) + ") repeat " + rounded(cached.readings, 1) +
                        " times, over " + rounded(cached.way_m, 1) +
-                       " m of driving, before they change: the driver repeats old scans; record "
+                       " m of driving, before they change: the driver repeats old scans, and the "
+                       "map takes each value once; better record "
                        "each scan once, "
                        "at the time when it was heard"});
 }

@@ -23,6 +23,9 @@ struct Command {
 
 constexpr Command kCommands[] = {
     {"map", "Make a map from a recording.", runMap},
+    {"access-points",
+     "Find the access points of a recording and print their table, to keep and to correct.",
+     runAccessPoints},
     {"evaluate", "Compare a map with the truth and with a map made without radio.", runEvaluate},
     {"visibility", "Count the walls between an access point and every cell.", runVisibility},
     {"dense", "Find the walls from a full wall-count map: dense inverse k-visibility.", runDense},

@@ -107,8 +107,8 @@ AccessPoint readAccessPoint(const YAML::Node& entry, const std::string& where,
 }  // namespace
 
 AccessPointReading accessPointsFromYaml(const YAML::Node& table) {
-  if (!table || !table.IsSequence() || table.size() == 0) {
-    throw InputError("access_points must be a list with at least one {bssid, x, y}");
+  if (!table || !table.IsSequence()) {
+    throw InputError("access_points must be a list of {bssid, x, y}");
   }
   std::vector<std::string> problems;
   AccessPointReading reading;

@@ -156,6 +156,24 @@ void removeSentinels(const std::vector<SentinelFinding>& sentinels,
   }
 }
 
+void removeRepeated(std::vector<AccessPointReadings>& readings) {
+  constexpr double kDrives = 0.005;  // [m] from one reading to the next
+  for (AccessPointReadings& radio : readings) {
+    AccessPointReadings kept;
+    for (std::size_t j = 0; j < radio.samples.size(); ++j) {
+      const Sample& sample = radio.samples[j];
+      const bool is_repeated =
+          j > 0 && sample.rssi_dbm == radio.samples[j - 1].rssi_dbm &&
+          (sample.antenna_in_map - radio.samples[j - 1].antenna_in_map).norm() >= kDrives;
+      if (!is_repeated) {
+        kept.samples.push_back(sample);
+        kept.poses.push_back(radio.poses[j]);
+      }
+    }
+    radio = std::move(kept);
+  }
+}
+
 std::vector<Position> positionsOf(const std::vector<PathPose>& path) {
   std::vector<Position> positions;
   positions.reserve(path.size());

@@ -49,6 +49,10 @@ void removeSentinels(const std::vector<SentinelFinding>& sentinels,
                      const std::vector<AccessPoint>& table,
                      std::vector<AccessPointReadings>& readings);
 
+/// Removes the readings that repeat the one before it of their radio while the robot drives, as a
+/// driver with a cache of scans reports them. The first one stays, at the place where it was heard.
+void removeRepeated(std::vector<AccessPointReadings>& readings);
+
 /// The antenna positions of a path [m], map frame, in its order.
 std::vector<Position> positionsOf(const std::vector<PathPose>& path);
 

@@ -41,7 +41,7 @@ class KVisibilityMethod : public MapMethod {
     std::vector<WallCountClusters> clusters;
     for (std::size_t i = 0; i < access_points.size(); ++i) {
       const std::vector<Sample> samples =
-          hasPosition(access_points[i]) ? inliers.readings[i].samples : std::vector<Sample>();
+          isPlaced(access_points[i]) ? inliers.readings[i].samples : std::vector<Sample>();
       const Position& access_point = access_points[i].access_point.position;
       const std::vector<double> rssi_dbm = filtered(samples, access_point, config_.k_visibility);
       const WallCountModel model = fitted(rssi_dbm, config_.k_visibility);

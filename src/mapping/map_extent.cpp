@@ -33,11 +33,8 @@ Box extentOf(const std::vector<AccessPoint>& access_points) {
 }
 
 /// The extent of a map without readings.
-/// @throw InputError if the table is empty, or no map can hold its positions.
+/// @throw InputError if no map can hold its positions.
 Box leastExtent(const Config::Map& config, const std::vector<AccessPoint>& access_points) {
-  if (access_points.empty()) {
-    throw InputError("access_points must hold at least one access point");
-  }
   for (const AccessPoint& access_point : access_points) {
     if (!access_point.position.allFinite()) {
       throw InputError("access_points: the position of " + access_point.bssid.str() +

@@ -18,7 +18,7 @@ class MapExtent {
  public:
   using Extent = std::function<Box()>;
 
-  /// @throw InputError if the table is empty, or no map can hold its positions.
+  /// @throw InputError if no map can hold its positions.
   MapExtent(const Config::Map& config, const std::vector<AccessPoint>& access_points);
 
   /// Of a map without readings [m], without margin.

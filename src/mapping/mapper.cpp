@@ -3,11 +3,13 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "access_points/access_point_estimation.h"
 #include "base/validation.h"
 #include "checks/recording_checks.h"
+#include "mapping/joined_radios.h"
 #include "mapping/map_method.h"
 #include "mapping/reading_store.h"
 
@@ -36,23 +38,39 @@ AccessPointSummary summaryOf(const AccessPoint& access_point, const std::vector<
   return summary;
 }
 
-/// Summaries of the table, with estimated positions where the table gives none.
-std::vector<AccessPointSummary> withEstimatedPositions(
-    const std::vector<AccessPoint>& access_points, const std::vector<AccessPointReadings>& readings,
-    const std::atomic<bool>& stop) {
+std::vector<AccessPointSummary> summariesOf(const std::vector<AccessPoint>& access_points,
+                                            const std::vector<AccessPointReadings>& readings) {
   std::vector<AccessPointSummary> summaries;
   for (std::size_t i = 0; i < access_points.size(); ++i) {
-    AccessPointSummary summary = summaryOf(access_points[i], readings[i].samples);
-    AccessPoint& access_point = summary.access_point;
-    if (!access_point.position_known && !stop) {
-      summary.estimate = estimateAccessPoint(readings[i].samples, access_point.height_m);
-      if (summary.estimate) {
-        access_point.position = summary.estimate->position;
-      }
-    }
-    summaries.push_back(std::move(summary));
+    summaries.push_back(summaryOf(access_points[i], readings[i].samples));
   }
   return summaries;
+}
+
+/// Estimates the positions that the table does not give. A BSSID gets that of its radio.
+/// @param radio_of  as of JoinedRadios
+/// @param readings  of radios
+void estimatePositions(const std::vector<std::size_t>& radio_of,
+                       const std::vector<AccessPointReadings>& readings,
+                       std::vector<AccessPointSummary>& summaries, const std::atomic<bool>& stop) {
+  for (std::size_t i = 0; i < summaries.size() && !stop; ++i) {
+    AccessPoint& access_point = summaries[i].access_point;
+    if (!access_point.position_known && radio_of[i] == i) {
+      summaries[i].estimate = estimateAccessPoint(readings[i].samples, access_point.height_m);
+      if (summaries[i].estimate) {
+        access_point.position = summaries[i].estimate->position;
+      }
+    }
+  }
+  for (std::size_t i = 0; i < summaries.size(); ++i) {
+    if (radio_of[i] != i) {
+      const AccessPointSummary& radio = summaries[radio_of[i]];
+      summaries[i].radio = radio.access_point.bssid;
+      summaries[i].estimate = radio.estimate;
+      summaries[i].access_point.position = radio.access_point.position;
+      summaries[i].access_point.position_known = radio.access_point.position_known;
+    }
+  }
 }
 
 RecordingFindings checked(const ReadingStore& store, const RecordingData& data,
@@ -61,6 +79,18 @@ RecordingFindings checked(const ReadingStore& store, const RecordingData& data,
       {data, store.accessPoints(), inliers.path, inliers.stamped_alike, config.path.max_gap_m});
   findings.frames = store.frames();
   return findings;
+}
+
+/// The radios, if the readings are good enough to tell.
+JoinedRadios radiosOf(const std::vector<AccessPoint>& table, const RecordingFindings& findings,
+                      Inliers& inliers) {
+  if (findings.signal_unit || arePosesWrong(findings)) {
+    JoinedRadios alone;
+    alone.radio_of.resize(table.size());
+    std::iota(alone.radio_of.begin(), alone.radio_of.end(), std::size_t{0});
+    return alone;
+  }
+  return joinRadios(table, inliers);
 }
 
 /// Sets the wall count of each pose: the smallest one of its samples.
@@ -155,6 +185,9 @@ std::shared_ptr<const Snapshot> Mapper::infer(UseRadio use_radio,
   Inliers inliers = store_->inliers(data.accepted);
   RecordingFindings findings = checked(*store_, data, inliers, config_);
   removeSentinels(findings.sentinels, store_->accessPoints(), inliers.readings);
+  if (findings.cached) {
+    removeRepeated(inliers.readings);
+  }
   // At a touch the contact lies at the edge of the footprint, so half of its radius is clearly
   // over.
   removeDrivenOver(inliers.path, 0.5 * config_.path.footprint_radius_m, config_.path.max_gap_m,
@@ -162,24 +195,29 @@ std::shared_ptr<const Snapshot> Mapper::infer(UseRadio use_radio,
   const Box extent = store_->extentOf(inliers);
   const GridGeometry geometry = store_->geometryOf(extent);
   std::vector<AccessPointSummary> access_points =
-      withEstimatedPositions(store_->accessPoints(), inliers.readings, stop);
+      summariesOf(store_->accessPoints(), inliers.readings);
+  const JoinedRadios radios = radiosOf(store_->accessPoints(), findings, inliers);
+  findings.aliases.groups = radios.groups;
+  estimatePositions(radios.radio_of, inliers.readings, access_points, stop);
   MethodResult result = method_->infer(geometry, inliers, access_points, use_radio, stop);
   if (stop) {
     return nullptr;
   }
   setWallCounts(inliers.readings, result.walls, inliers.path);
+  const std::vector<std::size_t> heard = store_->heard();
   for (std::size_t i = 0; i < access_points.size(); ++i) {
     if (i < result.wall_counts.size()) {
       access_points[i].wall_counts = std::move(result.wall_counts[i]);
     }
     access_points[i].samples = std::move(inliers.readings[i].samples);
-    access_points[i].heard = store_->heard()[i];
+    access_points[i].heard = heard[i];
   }
   return std::make_shared<const Snapshot>(Snapshot{
       BeliefMap(result.occupied, config_.belief), BeliefMap(result.probability, config_.belief),
       std::move(inliers.path), std::move(access_points), store_->rejections(),
       std::move(result.tomography), inliers.stray, inliers.motion, inliers.stamped_alike, extent,
-      std::move(result.wall_segments), std::move(findings), std::move(inliers.contacts)});
+      std::move(result.wall_segments), !store_->isOpen(), std::move(findings),
+      std::move(inliers.contacts)});
 }
 
 }  // namespace sfw

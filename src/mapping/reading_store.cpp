@@ -26,9 +26,10 @@ Position rounded(const Position& point) {
 }  // namespace
 
 ReadingStore::ReadingStore(const Config::Map& config, const std::vector<AccessPoint>& access_points)
-    : config_(config), extent_(config, access_points), table_(makeTable(access_points)) {
-  heard_.assign(access_points.size(), 0);
-}
+    : config_(config),
+      extent_(config, access_points),
+      is_open_(access_points.empty()),
+      table_(makeTable(access_points)) {}
 
 std::shared_ptr<const ReadingStore::Table> ReadingStore::makeTable(
     const std::vector<AccessPoint>& access_points) {
@@ -43,6 +44,27 @@ std::shared_ptr<const ReadingStore::Table> ReadingStore::makeTable(
 
 InsertResult ReadingStore::makeRoomFor(const Position& point) {
   return extent_.makeRoomFor(point, [this] { return extentOf(inliers()); });
+}
+
+bool ReadingStore::isInTable(const Bssid& bssid) {
+  constexpr std::size_t kMostFound = 2000;
+  if (table_->index_of.count(bssid) > 0) {
+    return true;
+  }
+  std::vector<AccessPoint> access_points = table_->access_points;
+  if (!is_open_ || access_points.size() >= kMostFound) {
+    return false;
+  }
+  AccessPoint found;
+  found.bssid = bssid;
+  found.position_known = false;
+  // In order of addresses, the map does not depend on who is heard first.
+  access_points.insert(
+      std::lower_bound(access_points.begin(), access_points.end(), found,
+                       [](const auto& a, const auto& b) { return a.bssid < b.bssid; }),
+      found);
+  table_ = makeTable(access_points);
+  return true;
 }
 
 InsertResult ReadingStore::insert(const Reading& reading) {
@@ -62,9 +84,8 @@ InsertResult ReadingStore::insert(const Reading& reading) {
 
 void ReadingStore::remember(const Reading& reading, InsertResult result) {
   constexpr std::size_t kMostRefused = 100000;
-  const auto found = table_->index_of.find(reading.bssid);
-  if (found != table_->index_of.end()) {
-    ++heard_[found->second];
+  if (table_->index_of.count(reading.bssid) > 0) {
+    ++heard_[reading.bssid];
   }
   const bool is_refused =
       result == InsertResult::kRssiOutOfRange || result == InsertResult::kPositionTooFar;
@@ -89,6 +110,7 @@ InsertResult ReadingStore::examine(const Reading& reading) const {
 }
 
 InsertResult ReadingStore::accept(const Reading& reading) {
+  const bool is_in_table = isInTable(reading.bssid);
   const InsertResult examined = examine(reading);
   if (examined != InsertResult::kAccepted) {
     return examined;
@@ -100,8 +122,7 @@ InsertResult ReadingStore::accept(const Reading& reading) {
     return room;
   }
   readings_.push_back(kept);
-  return table_->index_of.count(kept.bssid) > 0 ? InsertResult::kAccepted
-                                                : InsertResult::kUnknownAccessPoint;
+  return is_in_table ? InsertResult::kAccepted : InsertResult::kUnknownAccessPoint;
 }
 
 InsertResult ReadingStore::insert(const Contact& contact) {
@@ -197,7 +218,12 @@ void ReadingStore::reset() {
   poses_.clear();
   rejections_ = {};
   refused_.clear();
-  heard_.assign(heard_.size(), 0);
+  heard_.clear();
+  if (is_open_) {
+    std::vector<AccessPoint> placed = table_->access_points;
+    eraseIf(placed, [](const AccessPoint& one) { return !one.position_known; });
+    table_ = makeTable(placed);
+  }
   last_stamp_ns_.reset();
   step_back_ns_ = 0;
   frames_ = {};
@@ -214,16 +240,23 @@ std::pair<std::size_t, std::size_t> ReadingStore::forget(
   return {readings - readings_.size(), contacts - contacts_.size()};
 }
 
-void ReadingStore::setAccessPoints(const std::vector<AccessPoint>& access_points) {
+void ReadingStore::setAccessPoints(std::vector<AccessPoint> access_points) {
+  if (is_open_) {
+    std::sort(access_points.begin(), access_points.end(),
+              [](const auto& a, const auto& b) { return a.bssid < b.bssid; });
+  }
   std::shared_ptr<const Table> table = makeTable(access_points);
   extent_.extendTo(access_points);
-  std::vector<std::size_t> heard(access_points.size(), 0);
-  for (std::size_t i = 0; i < heard.size(); ++i) {
-    const auto before = table_->index_of.find(access_points[i].bssid);
-    heard[i] = before == table_->index_of.end() ? 0 : heard_[before->second];
-  }
-  heard_ = std::move(heard);
   table_ = std::move(table);
+}
+
+std::vector<std::size_t> ReadingStore::heard() const {
+  std::vector<std::size_t> heard;
+  for (const AccessPoint& access_point : table_->access_points) {
+    const auto found = heard_.find(access_point.bssid);
+    heard.push_back(found == heard_.end() ? 0 : found->second);
+  }
+  return heard;
 }
 
 std::vector<Reading> ReadingStore::readings() const {

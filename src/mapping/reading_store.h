@@ -27,6 +27,7 @@ namespace sfw {
 /// Mapper documents the functions of the same names. Not thread-safe.
 class ReadingStore {
  public:
+  /// @param access_points  empty: the table is open
   /// @throw InputError if the table of access points cannot be used.
   ReadingStore(const Config::Map& config, const std::vector<AccessPoint>& access_points);
 
@@ -40,7 +41,7 @@ class ReadingStore {
   void reset();
   std::pair<std::size_t, std::size_t> forget(
       const std::function<bool(std::int64_t, const Position&)>& test);
-  void setAccessPoints(const std::vector<AccessPoint>& access_points);
+  void setAccessPoints(std::vector<AccessPoint> access_points);
 
   const std::vector<AccessPoint>& accessPoints() const { return table_->access_points; }
   std::vector<Reading> readings() const;
@@ -50,8 +51,11 @@ class ReadingStore {
 
   const FrameFinding& frames() const { return frames_; }
 
+  /// Whether no table was given: each BSSID that is heard then joins it.
+  bool isOpen() const { return is_open_; }
+
   /// The readings offered for each access point of the table, used or not.
-  const std::vector<std::size_t>& heard() const { return heard_; }
+  std::vector<std::size_t> heard() const;
 
   /// Everything offered, for the checks. O(readings log readings).
   RecordingData data() const;
@@ -71,6 +75,8 @@ class ReadingStore {
   GridGeometry geometryOf(const Box& extent) const { return extent_.geometryOf(extent); }
 
  private:
+  /// Whether a BSSID is in the table. It joins an open one.
+  bool isInTable(const Bssid& bssid);
   InsertResult examine(const Reading& reading) const;
   InsertResult accept(const Reading& reading);
   /// Keeps what the checks need of a reading that is offered.
@@ -92,14 +98,15 @@ class ReadingStore {
 
   Config::Map config_;
   MapExtent extent_;
+  bool is_open_;
   std::shared_ptr<const Table> table_;  // never changes: copies share it
   std::vector<Reading> readings_;
   std::vector<Contact> contacts_;
   std::vector<PathPose> poses_;  // of the path between readings
   Rejections rejections_;
 
-  std::vector<Reading> refused_;  // for their signal or position; the first ones
-  std::vector<std::size_t> heard_;
+  std::vector<Reading> refused_;               // for their signal or position; the first ones
+  std::map<Bssid, std::size_t> heard_;         // of the table
   std::optional<std::int64_t> last_stamp_ns_;  // the latest one so far
   std::int64_t step_back_ns_ = 0;
   FrameFinding frames_;

@@ -64,9 +64,12 @@ class TomographyMethod : public MapMethod {
     std::vector<std::size_t> used;  // index of each access point in the drive
     for (std::size_t i = 0; i < access_points.size(); ++i) {
       const std::vector<Sample>& samples = inliers.readings[i].samples;
-      if (hasPosition(access_points[i]) && !samples.empty()) {
+      if (isPlaced(access_points[i]) && !samples.empty()) {
         const AccessPoint& access_point = access_points[i].access_point;
         drive.access_points.push_back({access_point.position, access_point.height_m, samples});
+        if (access_points[i].estimate) {
+          drive.access_points.back().covariance_in_map = access_points[i].estimate->covariance;
+        }
         used.push_back(i);
       }
     }

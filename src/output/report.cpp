@@ -30,11 +30,17 @@ Json describe(const AccessPointSummary& summary, const AccessPointFit* fit) {
   Json json{{"bssid", access_point.bssid.str()},
             {"name", access_point.name},
             {"readings", summary.readings}};
+  if (summary.radio) {
+    json["radio"] = summary.radio->str();
+  }
   if (hasPosition(summary)) {
     json["x"] = access_point.position.x();
     json["y"] = access_point.position.y();
-  } else {
+  }
+  if (!hasPosition(summary)) {
     json["left_out"] = "it has no position, and its readings do not suffice to estimate one";
+  } else if (!isPlaced(summary)) {
+    json["left_out"] = "its estimated position is too uncertain";
   }
   if (summary.estimate) {
     const Eigen::Matrix2d& covariance = summary.estimate->covariance;
@@ -135,6 +141,7 @@ std::string reportJson(const Snapshot& snapshot, const Config& config,
   if (findings.drift) {
     report["drift"] = describe(*findings.drift);
   }
+  report["has_table"] = snapshot.has_table;
   report["access_points"] = Json::array();
   for (std::size_t i = 0; i < snapshot.access_points.size(); ++i) {
     report["access_points"].push_back(describe(snapshot.access_points[i], findings.fit(i)));

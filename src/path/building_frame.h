@@ -22,6 +22,10 @@ struct BuildingFrame {
   Position toBuilding(const Position& in_map) const {
     return Eigen::Rotation2Dd(-yaw_rad) * in_map;
   }
+  Eigen::Matrix2d toBuilding(const Eigen::Matrix2d& covariance_in_map) const {
+    const Eigen::Matrix2d turn = Eigen::Rotation2Dd(-yaw_rad).toRotationMatrix();
+    return turn * covariance_in_map * turn.transpose();
+  }
   Position toMap(const Position& in_building) const {
     return Eigen::Rotation2Dd(yaw_rad) * in_building;
   }

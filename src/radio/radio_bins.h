@@ -23,6 +23,10 @@ struct AccessPointBins {
   Position position = Position::Zero();  ///< of the access point [m], building frame
   std::optional<double> height_m;        ///< of the access point above the floor
   double noise_db2 = 0.0;                ///< variance of one reading at one position
+
+  /// Covariance of the access point's position [m2], building frame; zero if it is known.
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
+
   std::vector<RadioBin> bins;
 };
 

@@ -1,5 +1,6 @@
 #include "radio/shadowing.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
@@ -50,13 +51,38 @@ void addRowProduct(const Row& row, const Scalar* values, Scalar* sums) {
   }
 }
 
-std::vector<double> logDistances(const AccessPointBins& access_point) {
-  std::vector<double> distances_db;
-  distances_db.reserve(access_point.bins.size());
-  for (const RadioBin& bin : access_point.bins) {
-    distances_db.push_back(logDistance(access_point, bin.position));
+/// Derivatives of the mean signals by the position of the access point along the axes of its
+/// covariance, times the standard deviations along these axes [dB].
+Eigen::MatrixX2d positionTerms(const AccessPointBins& access_point) {
+  constexpr double kDbPerMetre = 10.0 / 2.302585092994046 * kPriorExponent;  // at 1 m
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(access_point.covariance);
+  const Eigen::Matrix2d scaled =
+      axes.eigenvectors() * axes.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+  Eigen::MatrixX2d terms(static_cast<Eigen::Index>(access_point.bins.size()), 2);
+  for (std::size_t i = 0; i < access_point.bins.size(); ++i) {
+    const Position away = access_point.bins[i].position - access_point.position;
+    // Nearer than the deviation itself, the derivative does not describe the signals.
+    const double square = std::max(away.squaredNorm(), access_point.covariance.trace());
+    terms.row(static_cast<Eigen::Index>(i)) =
+        kDbPerMetre / std::max(square, kNearFieldM * kNearFieldM) * away.transpose() * scaled;
   }
-  return distances_db;
+  return terms;
+}
+
+/// The terms of power, exponent and, unless it is known, position.
+Eigen::MatrixXd basisOf(const AccessPointBins& access_point, const SignalCovariance& model) {
+  const bool is_known = access_point.covariance.isZero(0.0);
+  const auto count = static_cast<Eigen::Index>(access_point.bins.size());
+  Eigen::MatrixXd basis(count, is_known ? 2 : 4);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Position& position = access_point.bins[static_cast<std::size_t>(i)].position;
+    basis(i, 0) = model.power_sd_db;
+    basis(i, 1) = model.exponent_sd * logDistance(access_point, position);
+  }
+  if (!is_known) {
+    basis.rightCols<2>() = positionTerms(access_point);
+  }
+  return basis;
 }
 
 }  // namespace
@@ -130,24 +156,19 @@ double ShadowingWhitener::logDeterminant() const {
 
 SignalPrecision::SignalPrecision(const AccessPointBins& access_point, const SignalCovariance& model)
     : SignalPrecision(positionsOf(access_point), noiseOfMeans(access_point),
-                      logDistances(access_point), model) {}
+                      basisOf(access_point, model), model) {}
 
 SignalPrecision::SignalPrecision(const std::vector<Position>& positions,
-                                 const std::vector<double>& noise_db2,
-                                 const std::vector<double>& log_distance_db,
+                                 const std::vector<double>& noise_db2, const Eigen::MatrixXd& basis,
                                  const SignalCovariance& model)
     : whitener_(positions, noise_db2, model) {
-  const auto count = static_cast<Eigen::Index>(positions.size());
-  Eigen::MatrixXd basis(count, 2);
-  solved_basis_.resize(count, 2);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    basis.row(i) << model.power_sd_db,
-        model.exponent_sd * log_distance_db[static_cast<std::size_t>(i)];
-  }
-  for (Eigen::Index column = 0; column < 2; ++column) {
+  solved_basis_.resize(basis.rows(), basis.cols());
+  for (Eigen::Index column = 0; column < basis.cols(); ++column) {
     solved_basis_.col(column) = whitener_.applyPrecision(basis.col(column));
   }
-  capacitance_ = (Eigen::Matrix2d::Identity() + basis.transpose() * solved_basis_).inverse();
+  capacitance_ =
+      (Eigen::MatrixXd::Identity(basis.cols(), basis.cols()) + basis.transpose() * solved_basis_)
+          .inverse();
 }
 
 Eigen::VectorXd SignalPrecision::times(const Eigen::VectorXd& residual) const {
@@ -168,7 +189,8 @@ SignalPrecisionF::SignalPrecisionF(const SignalPrecision& exact)
 
 void SignalPrecisionF::times(const Eigen::Ref<const Eigen::VectorXf>& residual,
                              Eigen::Ref<Eigen::VectorXf> product) const {
-  const Eigen::Vector2f common = capacitance_ * (solved_basis_.transpose() * residual);
+  using Terms = Eigen::Matrix<float, Eigen::Dynamic, 1, 0, 4, 1>;  // without the heap
+  const Terms common = capacitance_ * (solved_basis_.transpose() * residual);
   product.noalias() = -solved_basis_ * common;
   for (const ShadowingWhitener::Row<float>& row : rows_) {
     addRowProduct(row, residual.data(), product.data());

@@ -61,17 +61,21 @@ class ShadowingWhitener {
   std::vector<Row<double>> rows_;
 };
 
-/// Inverse covariance of the signals of one access point, for unknown power and exponent.
+/// Inverse covariance of the signals of one access point, for unknown power and exponent, and for a
+/// position that is known or estimated.
 ///
 /// The covariance is all of SignalCovariance, so power and path loss exponent are marginalised, not
-/// estimated. ShadowingWhitener approximates K; the other terms, of rank two, are exact (Woodbury).
+/// estimated. So is the position, by the derivative of the signals' mean. ShadowingWhitener
+/// approximates K; the other terms, of rank two to four, are exact (Woodbury).
 class SignalPrecision {
  public:
   /// @param positions        [m], any frame
   /// @param noise_db2        variance of each position's mean signal; positive with the nugget
-  /// @param log_distance_db  h of each position, as of logDistance
+  /// @param basis            of the other terms: one row for each position, one column for each
+  /// term,
+  ///                         scaled by the standard deviation of its coefficient
   SignalPrecision(const std::vector<Position>& positions, const std::vector<double>& noise_db2,
-                  const std::vector<double>& log_distance_db, const SignalCovariance& model);
+                  const Eigen::MatrixXd& basis, const SignalCovariance& model);
 
   /// As above for the bins of an access point.
   SignalPrecision(const AccessPointBins& access_point, const SignalCovariance& model);
@@ -83,8 +87,8 @@ class SignalPrecision {
   friend class SignalPrecisionF;
 
   ShadowingWhitener whitener_;
-  Eigen::MatrixXd solved_basis_;  // K^-1 U, one column for power, one for the exponent
-  Eigen::Matrix2d capacitance_;   // (W^-1 + U' K^-1 U)^-1
+  Eigen::MatrixXd solved_basis_;  // K^-1 U
+  Eigen::MatrixXd capacitance_;   // (W^-1 + U' K^-1 U)^-1
 };
 
 /// A SignalPrecision in single-precision numbers (float).
@@ -100,8 +104,8 @@ class SignalPrecisionF {
 
  private:
   std::vector<ShadowingWhitener::Row<float>> rows_;
-  Eigen::Matrix<float, Eigen::Dynamic, 2> solved_basis_;
-  Eigen::Matrix2f capacitance_;
+  Eigen::MatrixXf solved_basis_;
+  Eigen::MatrixXf capacitance_;
 };
 
 template <class Values>

@@ -51,6 +51,18 @@ TEST(Bssid, IsNothingWhenTheRadioIsNotAssociated) {
   EXPECT_EQ(read("00-00-00-00-00-00"), "");
 }
 
+TEST(Bssid, IsRelatedToTheAddressesOfItsRadio) {
+  const auto related = [](const char* a, const char* b) {
+    return Bssid::parse(a)->isRelatedTo(*Bssid::parse(b));
+  };
+  EXPECT_TRUE(related("a0:00:00:00:00:47", "a0:00:00:00:00:40"));
+  EXPECT_TRUE(related("a0:00:00:00:00:40", "a2:00:00:00:00:4f"));
+  EXPECT_TRUE(related("a0:00:00:00:00:3f", "a0:00:00:00:00:4e"));
+  EXPECT_FALSE(related("a0:00:00:00:00:3f", "a0:00:00:00:00:4f"));
+  EXPECT_FALSE(related("a0:00:00:00:01:40", "a0:00:00:00:00:40"));
+  EXPECT_FALSE(related("a0:01:00:00:00:40", "a0:00:00:00:00:40"));
+}
+
 TEST(Bssid, IsOrderedAsItIsWritten) {
   const Bssid low = *Bssid::parse("00:00:00:00:00:ff");
   const Bssid high = *Bssid::parse("00:00:00:00:01:00");

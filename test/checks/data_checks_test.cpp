@@ -119,7 +119,7 @@ TEST(DataChecker, JudgesAFewAtATime) {
   std::vector<AccessPoint> table;
   std::vector<Reading> readings;
   for (int number = 1; number <= 6; ++number) {
-    table.push_back(test::accessPoint(number, kFirst.x(), kFirst.y()));
+    table.push_back(test::accessPoint(number, kFirst.x() + 2.0 * number, kFirst.y()));
     for (Reading reading : hallDrive()) {
       if (reading.bssid == test::bssid(1)) {
         reading.bssid = test::bssid(number);
@@ -147,7 +147,7 @@ TEST(DataChecker, JudgesAFewAtATime) {
 TEST(DataChecker, ForgetsNoneWhenAllAreMovedAgainAndAgain) {
   std::vector<AccessPoint> table;
   for (int number = 1; number <= 10; ++number) {
-    table.push_back(test::accessPoint(number, kFirst.x(), kFirst.y()));
+    table.push_back(test::accessPoint(number, kFirst.x() + 2.0 * number, kFirst.y()));
   }
   DataChecker checker;
   DataFindings findings;

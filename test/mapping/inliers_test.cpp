@@ -27,6 +27,21 @@ TEST(Inliers, SortReadingsByAccessPointAndStamp) {
   EXPECT_EQ(inliers.readings[1].poses, (std::vector<std::size_t>{1}));
 }
 
+TEST(Inliers, TakeACachedValueOnce) {
+  std::vector<Reading> readings;
+  const std::vector<double> values{-50.0, -50.0, -50.0, -60.0, -60.0, -50.0, -50.0};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto at = static_cast<double>(i);
+    // The robot stands for the last reading.
+    readings.push_back(
+        test::reading(static_cast<std::int64_t>(i), 0.2 * std::min(at, 5.0), 0.0, values[i]));
+  }
+  Inliers inliers = inliersOf(readings);
+  removeRepeated(inliers.readings);
+  EXPECT_EQ(inliers.path.size(), values.size());
+  EXPECT_EQ(inliers.readings[0].poses, (std::vector<std::size_t>{0, 3, 5, 6}));
+}
+
 TEST(Inliers, LeaveOutStrayPosesWithTheirReadingsAndContacts) {
   std::vector<Reading> readings;
   for (int i = 0; i <= 20; ++i) {

@@ -91,7 +91,6 @@ TEST(Mapper, RefusesSettingsAndTablesThatItCannotUse) {
   Config broken;
   broken.map.resolution_m = kNaN;
   EXPECT_THROW(Mapper(broken, {accessPoint(1, 0, 0)}), InputError);
-  EXPECT_THROW(Mapper(Config(), {}), InputError);
   EXPECT_THROW(Mapper(Config(), {accessPoint(1, 0, 0), accessPoint(1, 1, 1)}), InputError);
   EXPECT_THROW(Mapper(Config(), {accessPoint(1, 0, 0), accessPoint(2, 4000, 4000)}), InputError);
   EXPECT_THROW(Mapper(Config(), {accessPoint(1, 9e5, 9e5)}), InputError);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/random.h"
+#include "radio/path_loss.h"
 
 namespace sfw {
 namespace {
@@ -49,7 +50,13 @@ Signals alongAPath(std::size_t count) {
 }
 
 SignalPrecision precisionOf(const Signals& signals, const SignalCovariance& model = {}) {
-  return {signals.positions, signals.noise_db2, signals.log_distance_db, model};
+  const auto count = static_cast<Eigen::Index>(signals.positions.size());
+  Eigen::MatrixXd basis(count, 2);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    basis(i, 0) = model.power_sd_db;
+    basis(i, 1) = model.exponent_sd * signals.log_distance_db[static_cast<std::size_t>(i)];
+  }
+  return {signals.positions, signals.noise_db2, basis, model};
 }
 
 Eigen::MatrixXd covarianceOf(const Signals& signals, const SignalCovariance& model = {}) {
@@ -145,6 +152,33 @@ TEST(SignalPrecision, HardlyFeelsPowerAndExponent) {
       Eigen::Map<const Eigen::VectorXd>(signals.log_distance_db.data(), 200);
   // A whole one of the exponent costs at most one half twice; power explains part of it.
   EXPECT_LT(energy(0.35 * loss), 1.0);
+}
+
+TEST(SignalPrecision, KnowsThatAnEstimatedPositionMayBeWrong) {
+  const Position truth(4.0, 3.0);
+  const Position estimate(4.0, 5.0);
+  AccessPointBins access_point;
+  access_point.position = estimate;
+  access_point.noise_db2 = 1.0;
+  for (const Position& position : scattered(200, 12.0).positions) {
+    access_point.bins.push_back({position, 0.0, 1.0});
+  }
+  // What the signals are beside those that the estimate predicts.
+  AccessPointBins there = access_point;
+  there.position = truth;
+  Eigen::VectorXd residual(200);
+  for (Eigen::Index i = 0; i < 200; ++i) {
+    const Position& at = access_point.bins[static_cast<std::size_t>(i)].position;
+    residual[i] = kPriorExponent * (logDistance(access_point, at) - logDistance(there, at));
+  }
+  const auto energy = [&](const AccessPointBins& bins) {
+    return residual.dot(SignalPrecision(bins, {}).times(residual));
+  };
+  const double as_known = energy(access_point);
+  access_point.covariance = Eigen::Vector2d(0.25, 4.0).asDiagonal();
+  EXPECT_LT(energy(access_point), 0.5 * as_known);
+  access_point.covariance = Eigen::Vector2d(4.0, 0.01).asDiagonal();  // sure of y, wrongly
+  EXPECT_GT(energy(access_point), 0.7 * as_known);
 }
 
 TEST(SignalPrecision, DoesNotDependOnWhereTheMapLies) {

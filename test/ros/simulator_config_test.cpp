@@ -129,8 +129,8 @@ TEST(SimulatorConfig, NeedsNoMoreThanABuilding) {
             "be flat or office");
   EXPECT_EQ(problemsOf(YAML::Load("{plan: p.json}")), "no problem");
   EXPECT_EQ(problemsOf(YAML::Load("{generate: office}")), "no problem");
-  EXPECT_EQ(problemsOf(YAML::Load("{plan: p.json, access_points: []}")),
-            "access_points must be a list with at least one {bssid, x, y}");
+  EXPECT_EQ(problemsOf(YAML::Load("{plan: p.json, access_points: {}}")),
+            "access_points must be a list of {bssid, x, y}");
 }
 
 TEST(SimulatorConfig, RefusesNotANumber) {

@@ -86,7 +86,7 @@ std::optional<AblationMetrics> ablationsFor(const EvaluateOptions& options,
   if (!options.ablations) {
     return std::nullopt;
   }
-  if (options.access_points.empty()) {
+  if (options.access_points.empty() && !isReportedWithoutTable(options.map)) {
     throw InputError("--ablations needs --access-points: it maps the readings again");
   }
   return evaluateAblations(input, readings, access_points, settingsFor(options));
@@ -232,6 +232,8 @@ void run(const EvaluateOptions& options) {
   std::vector<AccessPoint> located;
   if (!options.access_points.empty()) {
     access_points = accessPointsWithWarnings(options.access_points);
+  }
+  if (!access_points.empty()) {
     located = locatedAccessPoints(access_points, readings, options.map, options.access_points);
     subtract(offset, access_points);
     subtract(offset, located);

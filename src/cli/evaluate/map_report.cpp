@@ -47,6 +47,10 @@ std::map<Bssid, Position> reportedPositions(const std::string& map) {
   return positions;
 }
 
+bool isReportedWithoutTable(const std::string& map) {
+  return partOf(reportBeside(map), "has_table") == Json(false);
+}
+
 std::optional<Config> reportedSettings(const std::string& map) {
   const std::string file = reportBeside(map);
   const Json settings = partOf(file, "settings");

@@ -14,6 +14,9 @@ namespace sfw {
 /// @return none if there is no such file, or if `sfw map` did not write it
 std::map<Bssid, Position> reportedPositions(const std::string& map);
 
+/// Whether the report.json beside a map says that it was made without a table of access points.
+bool isReportedWithoutTable(const std::string& map);
+
 /// The settings in the report.json beside a map. Prints their warnings.
 /// @return nothing if there is no such file, or if `sfw map` did not write it
 /// @throw InputError naming the file if its settings are not valid in this version

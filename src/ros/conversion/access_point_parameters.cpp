@@ -7,8 +7,9 @@
 namespace sfw {
 
 AccessPointReading accessPointsOfParameters(const YAML::Node& parameters) {
+  const bool has_list = parameters.IsMap() && parameters["access_points"];
   if (!parameters.IsMap() || !parameters["access_points_file"]) {
-    return accessPointsFromYaml(parameters.IsMap() ? parameters["access_points"] : YAML::Node());
+    return has_list ? accessPointsFromYaml(parameters["access_points"]) : AccessPointReading{};
   }
   std::string file;
   if (!readScalar(parameters["access_points_file"], file) || file.empty()) {
@@ -18,7 +19,7 @@ AccessPointReading accessPointsOfParameters(const YAML::Node& parameters) {
   for (std::string& warning : reading.warnings) {
     warning = "access_points_file: " + file + ": " + warning;
   }
-  if (parameters["access_points"]) {
+  if (has_list) {
     reading.warnings.push_back(
         "access_points is not read, since access_points_file is set: " + file + " wins");
   }

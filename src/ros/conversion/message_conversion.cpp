@@ -46,6 +46,7 @@ structure_from_wifi::AccessPoint toMessage(const AccessPointSummary& summary,
   const AccessPoint& access_point = summary.access_point;
   structure_from_wifi::AccessPoint message;
   message.bssid = access_point.bssid.str();
+  message.radio = summary.radio ? summary.radio->str() : "";
   message.name = access_point.name;
   message.position = toPoint(access_point.position, access_point.height_m.value_or(0.0));
   if (summary.estimate) {

@@ -91,6 +91,7 @@ void addAccessPoints(const MappingStatus& status, DiagnosticStatusWrapper& to) {
     if (i < kMostListed) {
       const AccessPointFit* fit = status.findings.fit(i);
       std::string text = std::to_string(summary.readings) + " readings";
+      text += summary.radio ? ", one radio with " + summary.radio->str() : "";
       if (fit != nullptr) {
         text += ", fit " + std::to_string(fit->residual_db) + " dB";
         text += fit->suspect ? ", contradicts its position" : "";

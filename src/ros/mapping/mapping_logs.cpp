@@ -53,8 +53,12 @@ void MappingNodelet::announceStart() {
   for (const InputStatistics::Input& input : statistics_.inputs(0.0)) {
     topics += input.is_radio ? (topics.empty() ? "" : " or ") + input.topic : "";
   }
-  NODELET_INFO_STREAM("Mapping with " << access_points_.size() << " access points of the table, "
-                                      << unplaced << " of them without a position. Waiting for "
+  const std::string radios =
+      access_points_.empty()
+          ? "all access points that are heard, as no table gives any (access_points)"
+          : std::to_string(access_points_.size()) + " access points of the table, " +
+                std::to_string(unplaced) + " of them without a position";
+  NODELET_INFO_STREAM("Mapping with " << radios << ". Waiting for "
                                       << "readings on " << topics << " and for the transform from "
                                       << ros_settings_.antenna_frame << " to "
                                       << ros_settings_.map_frame);
