@@ -80,9 +80,15 @@ class Node(unittest.TestCase):
         self.refuses({"access_points": TABLE + TABLE + [{"bssid": "home", "x": "left", "y": 1}]},
                      "access_points[1]", "access_points[2]: 'bssid'", "access_points[2]: 'x'")
 
-    def test_needs_access_points(self):
-        self.refuses({}, NAME + "/access_points")
-        self.refuses({"access_points": []}, NAME + "/access_points")
+    def test_needs_a_list_of_access_points(self):
+        self.refuses({"access_points": {"bssid": "home"}}, NAME + "/access_points must be a list")
+
+    def test_uses_all_that_are_heard_without_a_table(self):
+        for parameters in ({}, {"access_points": []}):
+            node = self.start(parameters)
+            self.interrupt(node)
+            self.assertIn("Mapping with all access points that are heard",
+                          self.session.text_of(node))
 
     def test_refuses_access_points_that_no_map_can_hold(self):
         far = {"bssid": "02:00:00:00:00:02", "x": 9e5, "y": 9e5}
