@@ -22,12 +22,13 @@ ALLOWED = {
     "walls": "base grid radio tomography belief",
     "k_visibility": "base grid",
     "access_points": "base radio",
+    "localization": "base radio",
     "checks": "base grid path radio belief access_points",
     "mapping": "base checks path radio belief walls k_visibility access_points grid",
     "output": "base grid files belief checks k_visibility mapping path",
     "simulation": "base grid files",
     "wireless": "base",
-    "evaluation": "base grid files path radio tomography belief checks k_visibility mapping output simulation",
+    "evaluation": "base grid files path radio tomography belief checks k_visibility localization mapping output simulation",
     "training": "base grid path belief walls k_visibility simulation mapping",
 }
 # The rooms of public headers, where no source file of the same name tells.

@@ -27,7 +27,8 @@ enum class Purpose : std::uint64_t {
   kWallDrive,
   kDisturbance,
   kEvaluatedPlaces,  // of an evaluation
-  kEvaluatedRoutes
+  kEvaluatedRoutes,
+  kLocalization
 };
 
 /// The stream of random numbers for a purpose.

@@ -1,0 +1,52 @@
+#include "localization/motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace sfw {
+
+Motion motionOf(const std::vector<Scan>& scans) {
+  constexpr double kShortestS = 2.0;
+  constexpr double kLongestS = 20.0;
+  constexpr double kLeastSpeed = 0.05;
+  constexpr double kLeastCorrelation = 0.05;
+  double squares = 0.0;
+  double steps = 0.0;
+  double time_s = 0.0;
+  double products = 0.0;
+  double squares_before = 0.0;
+  std::optional<Position> before;
+  std::size_t from = 0;
+  for (std::size_t i = 1; i < scans.size(); ++i) {
+    const double step_s = 1e-9 * static_cast<double>(scans[i].stamp_ns - scans[from].stamp_ns);
+    if (step_s < kShortestS) {
+      continue;
+    }
+    std::optional<Position> velocity;
+    if (step_s <= kLongestS) {
+      velocity = (scans[i].position - scans[from].position) / step_s;
+      squares += velocity->squaredNorm();
+      time_s += step_s;
+      steps += 1.0;
+    }
+    if (velocity && before) {
+      products += velocity->dot(*before);
+      squares_before += before->squaredNorm();
+    }
+    before = velocity;
+    from = i;
+  }
+  Motion motion;
+  if (steps > 0.0) {
+    motion.speed = std::max(std::sqrt(squares / steps), kLeastSpeed);
+  }
+  if (squares_before > 0.0) {
+    const double correlation =
+        std::clamp(products / squares_before, kLeastCorrelation, 1.0 - kLeastCorrelation);
+    motion.velocity_time_s = -time_s / steps / std::log(correlation);
+  }
+  return motion;
+}
+
+}  // namespace sfw

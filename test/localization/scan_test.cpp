@@ -1,0 +1,54 @@
+#include "localization/scan.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "localization/heard_hall.h"
+
+namespace sfw {
+namespace {
+
+Reading reading(double stamp_s, double x, int radio, double rssi_dbm) {
+  return {std::llround(1e9 * stamp_s), Position(x, 0.0), HeardHall::bssid(radio, 0), rssi_dbm};
+}
+
+TEST(ScansOf, GroupsReadingsOfAShortTimeAndAveragesABssid) {
+  std::vector<Reading> readings = {reading(0.0, 1.0, 0, -40.0), reading(0.2, 2.0, 0, -50.0),
+                                   reading(0.3, 3.0, 1, -60.0), reading(0.7, 4.0, 1, -70.0)};
+  std::reverse(readings.begin(), readings.end());
+  const std::vector<Scan> scans = scansOf(readings, 500'000'000);
+  ASSERT_EQ(scans.size(), 2U);
+  ASSERT_EQ(scans[0].heard.size(), 2U);
+  EXPECT_EQ(scans[0].stamp_ns, 0);
+  EXPECT_DOUBLE_EQ(scans[0].heard[0].second, -45.0);
+  EXPECT_DOUBLE_EQ(scans[0].position.x(), 2.0);
+  EXPECT_DOUBLE_EQ(scans[1].heard[0].second, -70.0);
+  EXPECT_EQ(wayOf(scans), std::vector<double>({0.0, 2.0}));
+}
+
+Scan scanOf(const std::vector<double>& rssi_dbm) {
+  Scan scan;
+  for (std::size_t i = 0; i < rssi_dbm.size(); ++i) {
+    scan.heard.emplace_back(HeardHall::bssid(static_cast<int>(i), 0), rssi_dbm[i]);
+  }
+  return scan;
+}
+
+TEST(WithoutRepeated, LeavesOutTheValuesOfACache) {
+  const Scan before = scanOf({-40, -41, -42, -43, -44, -45, -46, -47});
+  const Scan after = scanOf({-40, -41, -42, -43, -44, -55, -56, -57});
+  const Scan fresh = withoutRepeated(after, before);
+  ASSERT_EQ(fresh.heard.size(), 3U);
+  EXPECT_EQ(fresh.heard[0].second, -55.0);
+  EXPECT_EQ(fresh.repeated.size(), 5U);
+}
+
+TEST(WithoutRepeated, KeepsValuesThatAreEqualByChance) {
+  const Scan before = scanOf({-40, -41, -42, -43, -44, -45, -46, -47});
+  const Scan after = scanOf({-40, -41, -42, -43, -54, -55, -56, -57});
+  EXPECT_EQ(withoutRepeated(after, before).heard.size(), 8U);
+}
+
+}  // namespace
+}  // namespace sfw
