@@ -27,6 +27,8 @@ constexpr Command kCommands[] = {
      "Find the access points of a recording and print their table, to keep and to correct.",
      runAccessPoints},
     {"evaluate", "Compare a map with the truth and with a map made without radio.", runEvaluate},
+    {"localise", "Find where scans were taken, on a radio map learned from located readings.",
+     runLocalise},
     {"visibility", "Count the walls between an access point and every cell.", runVisibility},
     {"dense", "Find the walls from a full wall-count map: dense inverse k-visibility.", runDense},
     {"choose-sites", "Choose sites for access points in a known building and print their table.",

@@ -18,7 +18,7 @@ from command_line_case import FAR, HEADER, MAP_FILES, NEAR, STRANGER, CommandLin
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 COMMANDS = ("map", "evaluate", "visibility", "dense", "choose-sites", "simulate", "bench", "fit",
-            "wall-drives")
+            "wall-drives", "localise")
 OPTION_OF = {"evaluate": "--json", "choose-sites": "--count"}
 
 
