@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace sfw {
 
@@ -16,28 +15,31 @@ Motion motionOf(const std::vector<Scan>& scans) {
   double time_s = 0.0;
   double products = 0.0;
   double squares_before = 0.0;
-  std::optional<Position> before;
+  Motion motion;
+  Position before = Position::Zero();  // the velocity of the step before
+  bool has_before = false;
   std::size_t from = 0;
   for (std::size_t i = 1; i < scans.size(); ++i) {
     const double step_s = 1e-9 * static_cast<double>(scans[i].stamp_ns - scans[from].stamp_ns);
     if (step_s < kShortestS) {
       continue;
     }
-    std::optional<Position> velocity;
-    if (step_s <= kLongestS) {
-      velocity = (scans[i].position - scans[from].position) / step_s;
-      squares += velocity->squaredNorm();
+    const Position velocity = (scans[i].position - scans[from].position) / step_s;
+    const bool is_step = step_s <= kLongestS;
+    if (is_step) {
+      motion.velocities.push_back(velocity);
+      squares += velocity.squaredNorm();
       time_s += step_s;
       steps += 1.0;
     }
-    if (velocity && before) {
-      products += velocity->dot(*before);
-      squares_before += before->squaredNorm();
+    if (is_step && has_before) {
+      products += velocity.dot(before);
+      squares_before += before.squaredNorm();
     }
     before = velocity;
+    has_before = is_step;
     from = i;
   }
-  Motion motion;
   if (steps > 0.0) {
     motion.speed = std::max(std::sqrt(squares / steps), kLeastSpeed);
   }

@@ -80,15 +80,24 @@ void ParticleFilter::draw(std::size_t particle, const std::vector<double>& sums)
   positions_[particle] =
       places.points()[drawn(sums, random_.uniform())] +
       Position(random_.uniform(-half_m, half_m), random_.uniform(-half_m, half_m));
-  const double axis_speed = std::sqrt(0.5) * map_.motion().speed;
-  velocities_[particle] = axis_speed * Position(random_.normal(), random_.normal());
+  velocities_[particle] = drawnVelocity();
   yaws_rad_[particle] = random_.uniform(-kPi, kPi);
 }
 
+Position ParticleFilter::drawnVelocity() {
+  const Motion& motion = map_.motion();
+  const Position any = std::sqrt(0.5) * motion.speed * Position(random_.normal(), random_.normal());
+  if (motion.velocities.empty()) {
+    return any;
+  }
+  const auto count = static_cast<double>(motion.velocities.size());
+  const auto number = static_cast<std::size_t>(random_.uniform(0.0, count));
+  const Position& met = motion.velocities[std::min(number, motion.velocities.size() - 1)];
+  return (random_.uniform() < 0.5 ? met : -met) + config_.velocity_spread * any;
+}
+
 void ParticleFilter::move(double time_s, const std::optional<Position>& step) {
-  const double kept = std::exp(-time_s / map_.motion().velocity_time_s);
-  const double fresh = std::sqrt((1.0 - kept * kept) * 0.5) * map_.motion().speed;
-  const double limit = config_.most_speeds * map_.motion().speed;
+  const double jitter = config_.velocity_jitter * map_.motion().speed * std::sqrt(time_s);
   for (std::size_t i = 0; i < positions_.size(); ++i) {
     if (step) {
       const double length_m = step->norm();
@@ -98,13 +107,15 @@ void ParticleFilter::move(double time_s, const std::optional<Position>& step) {
                        error_m * Position(random_.normal(), random_.normal());
       continue;
     }
-    const Position before = velocities_[i];
-    velocities_[i] = kept * before + fresh * Position(random_.normal(), random_.normal());
-    const double speed = velocities_[i].norm();
-    if (speed > limit) {
-      velocities_[i] *= limit / speed;
+    const double until_s = -map_.motion().velocity_time_s * std::log(random_.uniform());
+    if (until_s < time_s) {
+      positions_[i] += until_s * velocities_[i];
+      velocities_[i] = drawnVelocity();
+      positions_[i] += (time_s - until_s) * velocities_[i];
+      continue;
     }
-    positions_[i] += 0.5 * time_s * (before + velocities_[i]);
+    velocities_[i] += jitter * Position(random_.normal(), random_.normal());
+    positions_[i] += time_s * velocities_[i];
   }
 }
 

@@ -15,20 +15,22 @@ namespace sfw {
 /// Follows a robot over a radio map by its scans (Monte Carlo localisation, Thrun et al. 2001).
 ///
 /// A particle is a position with a velocity and the yaw of the odometry's frame in the map. With
-/// odometry, its steps move the particles. Without, each velocity is an Ornstein-Uhlenbeck process
-/// with a speed limit. A part of the particles is drawn again from each scan alone, so that a robot
-/// that was carried away is found again (sensor resetting, Lenser and Veloso 2000).
-/// Deterministic for a seed; not thread-safe.
+/// odometry, its steps move the particles. Without, a particle keeps its velocity for a random time
+/// and then takes one met on the mapped path, in either direction. So particles run along corridors
+/// and do not lag behind a steady robot, as they would with a velocity that decays. A part of the
+/// particles is drawn again from each scan alone, so that a robot that was carried away is found
+/// again (sensor resetting, Lenser and Veloso 2000). Deterministic for a seed; not thread-safe.
 class ParticleFilter {
  public:
   struct Config {
-    std::size_t particles = 1500;
+    std::size_t particles = 2000;
     std::int64_t seed = 0;
-    double most_speeds = 2.5;          ///< limit of the speed, in its root mean square
+    double velocity_jitter = 0.15;     ///< standard deviation in a second, in the speed on the path
+    double velocity_spread = 0.25;     ///< of a new velocity about one met on the path, likewise
     double odometry_error = 0.1;       ///< standard deviation of a step, in its length
     double odometry_yaw_error = 0.03;  ///< standard deviation of the frame's yaw [rad], each metre
     double redrawn = 0.02;             ///< part that each resampling draws again
-    double shared_way_m = 0.3;         ///< scans nearer than this share their errors
+    double shared_way_m = 0.4;         ///< scans nearer than this share their errors
     double lost_after_s = 30.0;        ///< without scans for so long, the filter starts again
   };
 
@@ -45,6 +47,7 @@ class ParticleFilter {
  private:
   void start(const std::vector<double>& probabilities);
   void draw(std::size_t particle, const std::vector<double>& sums);
+  Position drawnVelocity();
   void move(double time_s, const std::optional<Position>& step);
   void weigh(const std::vector<double>& log_likelihood, double exponent);
   void resample(const std::vector<double>& probabilities);
