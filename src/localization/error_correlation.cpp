@@ -54,14 +54,15 @@ float certain(float found, float count) {
 }  // namespace
 
 Eigen::MatrixXf errorCorrelation(const std::vector<MappedRadio>& radios,
-                                 const std::vector<Scan>& scans, const std::vector<int>& folds) {
+                                 const std::vector<Scan>& scans, const std::vector<int>& folds,
+                                 const std::atomic<bool>* stop) {
   constexpr std::size_t kMostScans = 2000;
   const std::size_t stride = (scans.size() + kMostScans - 1) / kMostScans;
   const auto count = static_cast<Eigen::Index>(radios.size());
   Errors errors;
   errors.deviations.setZero(static_cast<Eigen::Index>((scans.size() + stride - 1) / stride), count);
   errors.known = errors.deviations;
-  for (Eigen::Index i = 0; i < count; ++i) {
+  for (Eigen::Index i = 0; i < count && !isStopped(stop); ++i) {
     for (const int fold : {0, 1}) {
       addErrors(radios[static_cast<std::size_t>(i)], scans, folds, fold, stride, i, errors);
     }

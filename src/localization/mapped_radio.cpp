@@ -8,7 +8,7 @@ namespace sfw {
 
 std::vector<MappedRadio> mappedRadios(const std::vector<Scan>& scans,
                                       const std::vector<AccessPoint>& table,
-                                      std::size_t fewest_scans) {
+                                      std::size_t fewest_scans, const std::atomic<bool>* stop) {
   std::map<Bssid, MappedRadio> heard;
   for (std::size_t i = 0; i < scans.size(); ++i) {
     for (const auto& [bssid, rssi_dbm] : scans[i].heard) {
@@ -27,7 +27,7 @@ std::vector<MappedRadio> mappedRadios(const std::vector<Scan>& scans,
   std::vector<MappedRadio> radios;
   const std::vector<bool> all(scans.size(), true);
   for (auto& [bssid, radio] : heard) {
-    if (radio.scans.size() < fewest_scans) {
+    if (radio.scans.size() < fewest_scans || isStopped(stop)) {
       continue;
     }
     const auto place = places.find(bssid);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <vector>
 
@@ -25,9 +26,13 @@ struct HeardRadio {
 
 /// The radios heard in at least `fewest_scans` scans, by BSSID, with their laws.
 /// @param table access points; a known position is the source of the law
+/// @param stop  once it is true, the other radios are left out; may be nullptr
 std::vector<MappedRadio> mappedRadios(const std::vector<Scan>& scans,
                                       const std::vector<AccessPoint>& table,
-                                      std::size_t fewest_scans);
+                                      std::size_t fewest_scans, const std::atomic<bool>* stop);
+
+/// Whether work is to end early. The flag may be nullptr.
+inline bool isStopped(const std::atomic<bool>* stop) { return stop != nullptr && *stop; }
 
 /// The readings of some scans: those for which `used` is true.
 std::vector<Sample> samplesOf(const MappedRadio& radio, const std::vector<Scan>& scans,

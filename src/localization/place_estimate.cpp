@@ -16,11 +16,12 @@ PlaceEstimate estimateOf(const std::vector<Position>& positions,
   }
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const Position error = positions[i] - estimate.position;
-    estimate.covariance += weights[i] / total * error * error.transpose();
+    estimate.covariance += error * (weights[i] / total * error).transpose();
     if (error.norm() <= kSureWithinM) {
       estimate.sure += weights[i] / total;
     }
   }
+  estimate.covariance(1, 0) = estimate.covariance(0, 1);  // equal but for rounding
   return estimate;
 }
 

@@ -82,7 +82,7 @@ RadioLayers::RadioLayers(const PlaceLattice& places, const std::vector<Scan>& sc
     : config_(config), weights_(std::move(weights)), layers_(radios.size()) {
   for (std::size_t i = 0; i < radios.size(); ++i) {
     const std::vector<Sample> samples = samplesOf(radios[i], scans, used);
-    if (!samples.empty()) {
+    if (!samples.empty() && !isStopped(config_.stop)) {
       const SignalPrediction predicted =
           SignalField(samples, radios[i].law).predict(places.points());
       layers_[i].mean_dbm = asFloats(predicted.mean_dbm);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <atomic>
 #include <cstddef>
 #include <vector>
 
@@ -30,10 +31,11 @@ struct ScanEvidence {
 class RadioLayers {
  public:
   struct Config {
-    double heard_reach_m = 2.0;   ///< reach of the kernel
-    double heard_prior = 0.3;     ///< weight of a radio's share of all scans, in scans
-    double most_in_square = 4.0;  ///< scans that count in one square
-    double freedom = 10.0;        ///< of Student's t distribution, above 2
+    double heard_reach_m = 2.0;               ///< reach of the kernel
+    double heard_prior = 0.3;                 ///< weight of a radio's share of all scans, in scans
+    double most_in_square = 4.0;              ///< scans that count in one square
+    double freedom = 10.0;                    ///< of Student's t distribution, above 2
+    const std::atomic<bool>* stop = nullptr;  ///< once it is true, the other radios stay unknown
   };
 
   /// @param scans   all mapped scans

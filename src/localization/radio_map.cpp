@@ -37,9 +37,9 @@ RadioMap::RadioMap(const std::vector<Scan>& scans, const std::vector<AccessPoint
     : config_(config),
       places_(positionsOf(scans), bandOf(scans, config)),
       motion_(motionOf(scans)),
-      radios_(mappedRadios(scans, table, config.fewest_scans)) {
+      radios_(mappedRadios(scans, table, config.fewest_scans, config.layers.stop)) {
   const std::vector<int> folds = foldsOf(scans, config_.block_m);
-  correlation_ = errorCorrelation(radios_, scans, folds);
+  correlation_ = errorCorrelation(radios_, scans, folds, config_.layers.stop);
   temper_ = chooseTemper(places_, checkedScans(scans, folds));
   layers_.emplace(layersOf(scans, std::vector<bool>(scans.size(), true)));
 }

@@ -32,6 +32,7 @@ struct RosSettings {
   std::string on_time_jump = "keep";  ///< the map when the clock jumps back: or "reset"
   double max_tilt_rad = 0.35;         ///< of the antenna against its first pose, before a warning
   double max_speed_m_s = 0.0;         ///< readings that come faster are dropped; 0: none are
+  double localisation_rate_hz = 0.0;  ///< upper limit of ~localisation; 0: none is published
 };
 
 /// Calls `visit(name, member)` for each setting, as forEachSetting does for those of the mapper.
@@ -54,6 +55,7 @@ void forEachRosSetting(AnySettings& settings, Visitor&& visit) {
   visit("ros/on_time_jump", settings.on_time_jump);
   visit("ros/max_tilt", settings.max_tilt_rad);
   visit("ros/max_speed", settings.max_speed_m_s);
+  visit("ros/localisation_rate", settings.localisation_rate_hz);
 }
 
 /// The name of a frame without leading slashes, which tf's first version had and tf2 refuses.

@@ -82,6 +82,9 @@ void MappingNodelet::advertise() {
   publishers_.emplace(node, ros_settings_.map_frame, config_,
                       ros_settings_.map_updates ? Updates::kRectangles : Updates::kNone);
   publishers_->publish(empty);
+  if (ros_settings_.localisation_rate_hz > 0.0) {
+    localisation_.emplace(getPrivateNodeHandle(), ros_settings_, *transforms_);
+  }
 
   advertiseServices();
   advertiseLiveSettings();
@@ -137,6 +140,9 @@ void MappingNodelet::convert(const Input& input, std::size_t index, const AnyMes
       input.convert(message, {ros::Time::now(), ros_settings_.antenna_frame,
                               config_.path.footprint_radius_m, toScanFormat(scan_settings_)});
   statistics_.count(index, conversion, ros::SteadyTime::now().toSec());
+  if (localisation_) {
+    localisation_->add(conversion.observations);
+  }
   if (paused_) {
     return;
   }
@@ -184,6 +190,9 @@ void MappingNodelet::noticeTimeJump(const ros::Time& now) {
                         << (is_reset ? "reset" : "kept") << " (ros/on_time_jump)");
     queue_->clear();
     pose_watch_->clear();
+    if (localisation_) {
+      localisation_->startAgain();
+    }
     if (is_reset) {
       startAnew();
     }

@@ -39,6 +39,7 @@
 #include "ros/mapping/observation_queue.h"
 #include "ros/mapping/pose_watch.h"
 #include "ros/mapping/refresh_rule.h"
+#include "ros/mapping/scan_localisation.h"
 #include "ros/mapping/shared_mapper.h"
 #include "ros/mapping/transform_intake.h"
 #include "ros/mapping/transform_watch.h"
@@ -175,6 +176,7 @@ class MappingNodelet : public nodelet::Nodelet {
   std::optional<MapPublishers> publishers_;
 
   std::optional<tf2_ros::Buffer> transforms_;
+  std::optional<ScanLocalisation> localisation_;  // none: it is switched off
   TransformWatch transform_watch_;
   std::optional<TransformIntake> transform_intake_;
   Floors floors_;

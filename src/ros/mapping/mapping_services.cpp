@@ -69,6 +69,9 @@ bool MappingNodelet::startAnew() {
     transform_watch_.clear();
     floors_.clear();
   }
+  if (localisation_) {
+    localisation_->forget();
+  }
   clear_reported_ = true;
   forget_directories_ = true;
   announcements_.clear();

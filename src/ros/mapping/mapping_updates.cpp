@@ -46,6 +46,9 @@ MappingNodelet::Mapping MappingNodelet::publishMap(Checks checks) {
   if (mapping.snapshot && mapping.copy.resets == mapper_->resets()) {
     publishers_->publish(mapping.snapshot, mapping.findings);
     announceMap(*publishers_->last());
+    if (localisation_) {
+      localisation_->learnFrom(mapping.copy.mapper);
+    }
     if (checks == Checks::kChanged) {  // saving a map logs the complete list
       reportFaults(mapNotes(*mapping.snapshot, mapping.findings));
     }
