@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cli/warnings.h"
+#include "files/text.h"
 #include "ros/conversion/input_messages.h"
 #include "ros/conversion/ros_settings.h"
 
@@ -21,6 +22,41 @@ std::string listed(const std::vector<std::string>& words) {
 
 void replaceIfGiven(const std::string& given, std::string& frame) {
   frame = given.empty() ? frame : withoutSlash(given);
+}
+
+/// Warns of readings without position, and counts them.
+void warnOfUnlocated(const BagReading& reading, const std::string& bags, const RosSettings& ros,
+                     Mapper& mapper) {
+  const std::size_t unlocated =
+      reading.before_transforms + reading.after_transforms + reading.unlocated;
+  if (unlocated > 0) {
+    mapper.recordRejected("no transform at their stamp", unlocated);
+  }
+  const std::string frames = "from " + ros.antenna_frame + " to " + ros.map_frame;
+  if (reading.before_transforms > 0) {
+    warn(bags + ": " + std::to_string(reading.before_transforms) +
+         " readings left out: the transforms " + frames + " begin " +
+         formatted("%.1f", reading.transforms_from_s) +
+         " s after the bag, and readings before have no position; start odometry and localisation "
+         "before the recording");
+  }
+  if (reading.after_transforms > 0) {
+    warn(bags + ": " + std::to_string(reading.after_transforms) +
+         " readings left out: the transforms " + frames + " end " +
+         formatted("%.1f", reading.transforms_until_s) +
+         " s after the begin of the bag, and readings after have no position; look why odometry or "
+         "localisation stopped");
+  }
+  if (reading.unlocated > 0) {
+    const std::string remedy =
+        reading.are_frames_connected
+            ? "compare the clocks of the machines, since the bag has such transforms at other times"
+            : "name the frames with --antenna-frame and --map-frame. Frames of the bag: " +
+                  listed(reading.frames);
+    warn(bags + ": " + std::to_string(reading.unlocated) +
+         " readings left out: the bag has no transform " + frames + " at their stamp; " + remedy +
+         ". tf's error: " + reading.tf_error);
+  }
 }
 
 }  // namespace
@@ -56,14 +92,11 @@ void insertBags(const BagOptions& options, const MappingSettings& settings, Mapp
     warn(bags + ": " + std::to_string(count) + " readings or contacts left out: " + problem);
   }
   const std::vector<std::string>& frames = reading.frames;
-  if (reading.unlocated > 0) {
-    mapper.recordRejected("no transform at their stamp", reading.unlocated);
-    warn(bags + ": " + std::to_string(reading.unlocated) +
-         " readings left out: the bag has no transform from " + settings.ros.antenna_frame +
-         " to " + settings.ros.map_frame +
-         " at their stamp; name the frames with --antenna-frame and " +
-         "--map-frame. Frames of the bag: " + listed(frames) + ". tf's error: " + reading.tf_error);
+  if (reading.infinite_transforms > 0) {
+    warn(bags + ": " + std::to_string(reading.infinite_transforms) +
+         " transforms are infinite and not used; look for the node that publishes them");
   }
+  warnOfUnlocated(reading, bags, settings.ros, mapper);
   if (!reading.odom_frame.empty() &&
       std::find(frames.begin(), frames.end(), reading.odom_frame) == frames.end()) {
     warn(bags + ": the bag has no frame " + reading.odom_frame +

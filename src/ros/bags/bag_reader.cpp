@@ -5,6 +5,7 @@
 #include <tf2/buffer_core.h>
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "ros/bags/bag_files.h"
@@ -45,9 +46,12 @@ std::vector<std::string> radioTopics(const std::vector<std::string>& recorded,
 /// Inserts the observations of messages into a mapper.
 class Insertion {
  public:
-  Insertion(const MappingSettings& settings, const tf2::BufferCore& transforms, Mapper& mapper)
+  /// @param span  of the transforms from antenna to map
+  Insertion(const MappingSettings& settings, const tf2::BufferCore& transforms,
+            const std::optional<TransformSpan>& span, Mapper& mapper)
       : ros_(settings.ros),
         transforms_(transforms),
+        span_(span),
         mapper_(mapper),
         corrector_(jumpTolerance(settings.ros)),
         sampler_(settings.ros) {}
@@ -58,9 +62,10 @@ class Insertion {
     }
     for (const Observation& observation : conversion.observations) {
       ++reading.observations;
-      auto located = locate(observation, ros_, transforms_, reading.tf_error);
+      std::string tf_error;
+      auto located = locate(observation, ros_, transforms_, tf_error);
       if (!located) {
-        ++reading.unlocated;
+        countUnlocated(observation.stamp, tf_error, reading);
         continue;
       }
       if (!located->readings.empty()) {
@@ -82,8 +87,21 @@ class Insertion {
   }
 
  private:
+  void countUnlocated(const ros::Time& stamp, const std::string& tf_error,
+                      BagReading& reading) const {
+    if (span_ && stamp < span_->first_stamp) {
+      ++reading.before_transforms;
+    } else if (span_ && stamp > span_->last_stamp) {
+      ++reading.after_transforms;
+    } else {
+      ++reading.unlocated;
+      reading.tf_error = tf_error;
+    }
+  }
+
   const RosSettings& ros_;
   const tf2::BufferCore& transforms_;
+  const std::optional<TransformSpan> span_;
   Mapper& mapper_;
   PathCorrector corrector_;
   PathSampler sampler_;
@@ -95,8 +113,9 @@ BagReading read(const BagFiles& bags, const std::string& tf_topic, const BagTopi
   // No transform is too old, but stamp plus age must fit 32 bits of seconds.
   tf2::BufferCore transforms(ros::Duration(1e9));
   TransformWatch watch;
+  LoadedTransforms loaded;
   if (!tf_topic.empty()) {
-    loadTransforms(bags, tf_topic, transforms, watch);
+    loaded = loadTransforms(bags, tf_topic, transforms, watch);
   }
   rosbag::View view;
   for (const auto& bag : bags.bags()) {
@@ -105,7 +124,16 @@ BagReading read(const BagFiles& bags, const std::string& tf_topic, const BagTopi
   BagReading reading;
   transforms._getFrameStrings(reading.frames);
   reading.odom_frame = odometryFrame(settings.ros, transforms);
-  Insertion insertion(settings, transforms, mapper);
+  reading.infinite_transforms = loaded.infinite;
+  const std::vector<std::string> way =
+      framesBetween(settings.ros.map_frame, settings.ros.antenna_frame, transforms);
+  reading.are_frames_connected = !way.empty();
+  const std::optional<TransformSpan> span = loaded.times.spanOf(way);
+  if (span) {
+    reading.transforms_from_s = span->first_received.toSec() - view.getBeginTime().toSec();
+    reading.transforms_until_s = span->last_received.toSec() - view.getBeginTime().toSec();
+  }
+  Insertion insertion(settings, transforms, span, mapper);
   InputContext context{{},
                        settings.ros.antenna_frame,
                        settings.config.path.footprint_radius_m,

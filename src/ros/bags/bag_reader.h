@@ -25,8 +25,14 @@ struct BagSource {
 /// Counts the observations of bags.
 struct BagReading {
   std::size_t observations = 0;                 ///< readings and contacts found
-  std::size_t unlocated = 0;                    ///< of these, those without a transform
-  std::string tf_error;                         ///< of the last one without a transform
+  std::size_t before_transforms = 0;            ///< of these, those before the first transform
+  std::size_t after_transforms = 0;             ///< of these, those after the last transform
+  double transforms_from_s = 0.0;               ///< first transform, after the bags' begin
+  double transforms_until_s = 0.0;              ///< last transform, likewise
+  std::size_t unlocated = 0;                    ///< those without a transform for another reason
+  std::string tf_error;                         ///< of the last one of these
+  bool are_frames_connected = false;            ///< antenna and map, at some time
+  std::size_t infinite_transforms = 0;          ///< which are not used
   std::vector<std::string> frames;              ///< all frames of the transforms
   std::string odom_frame;                       ///< as odometryFrame finds it
   std::map<std::string, std::size_t> rejected;  ///< readings and clouds left out, by problem

@@ -87,8 +87,9 @@ std::string findTransformTopic(const std::vector<std::string>& topics,
   return *found.begin();
 }
 
-void loadTransforms(const BagFiles& bags, const std::string& topic, tf2::BufferCore& transforms,
-                    TransformWatch& watch) {
+LoadedTransforms loadTransforms(const BagFiles& bags, const std::string& topic,
+                                tf2::BufferCore& transforms, TransformWatch& watch) {
+  LoadedTransforms loaded;
   rosbag::View view;
   for (const auto& bag : bags.bags()) {
     view.addQuery(*bag, rosbag::TopicQuery(std::vector<std::string>{
@@ -101,9 +102,14 @@ void loadTransforms(const BagFiles& bags, const std::string& topic, tf2::BufferC
     }
     const bool is_static = plainTopic(message.getTopic()) != topic;
     for (const geometry_msgs::TransformStamped& transform : tf->transforms) {
-      takeTransform(transform, message.getCallerId(), is_static, transforms, watch);
+      if (!takeTransform(transform, message.getCallerId(), is_static, transforms, watch)) {
+        ++loaded.infinite;
+      } else if (!is_static) {
+        loaded.times.observe(transform, message.getTime());
+      }
     }
   }
+  return loaded;
 }
 
 }  // namespace sfw

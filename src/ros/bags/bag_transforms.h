@@ -2,10 +2,12 @@
 
 #include <tf2/buffer_core.h>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "ros/bags/bag_files.h"
+#include "ros/bags/transform_times.h"
 #include "ros/mapping/transform_watch.h"
 
 namespace sfw {
@@ -22,8 +24,14 @@ std::string findTransformTopic(const std::vector<std::string>& topics,
                                const std::vector<std::string>& scan_topics,
                                const std::string& given);
 
+/// What loadTransforms finds besides tf's tree.
+struct LoadedTransforms {
+  TransformTimes times;
+  std::size_t infinite = 0;  ///< transforms that are not used, as by takeTransform
+};
+
 /// Loads the transforms of a topic and of its static ones, in the order received.
-void loadTransforms(const BagFiles& bags, const std::string& topic, tf2::BufferCore& transforms,
-                    TransformWatch& watch);
+LoadedTransforms loadTransforms(const BagFiles& bags, const std::string& topic,
+                                tf2::BufferCore& transforms, TransformWatch& watch);
 
 }  // namespace sfw
