@@ -107,6 +107,13 @@ std::string asUtf8(const std::string& text) {
   return Json::parse(valid).get<std::string>();
 }
 
+std::string printable(const std::string& text, std::size_t longest) {
+  std::string shown = text.substr(0, longest);
+  std::replace_if(
+      shown.begin(), shown.end(), [](unsigned char c) { return c <= ' ' || c > '~'; }, '?');
+  return shown;
+}
+
 std::string readFile(const std::string& file) {
   errno = 0;
   std::ifstream stream(file, std::ios::binary);

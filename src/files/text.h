@@ -29,6 +29,10 @@ std::size_t editDistance(std::string_view a, std::string_view b);
 /// Replaces every byte that is no part of valid UTF-8 by U+FFFD.
 std::string asUtf8(const std::string& text);
 
+/// A text for people, with '?' for blanks, control characters and all that is not ASCII.
+/// @param longest  [bytes]; the rest is cut
+std::string printable(const std::string& text, std::size_t longest);
+
 /// Formats as printf.
 template <class... Arguments>
 std::string formatted(const char* format, Arguments... arguments) {

@@ -207,6 +207,16 @@ TEST(Announcements, TellEachCauseOnceAndItsChanges) {
   EXPECT_TRUE(announcements.isNews("tf", "no frame b"));
 }
 
+TEST(Announcements, RememberSoManyCausesOnly) {
+  Announcements announcements;
+  std::size_t told = 0;
+  for (int i = 0; i < 5000; ++i) {
+    told += announcements.isNews("frame /" + std::to_string(i)) ? 1 : 0;
+  }
+  EXPECT_EQ(told, 1000U);
+  EXPECT_TRUE(announcements.isNews("frame /0", "another state"));
+}
+
 TEST(Announcements, TellCountsAtPowersOfTen) {
   Announcements announcements;
   std::vector<std::size_t> told;

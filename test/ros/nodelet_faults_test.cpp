@@ -208,7 +208,12 @@ TEST_F(NodeletFaultsTest, FramesWithALeadingSlashAreUnderstood) {
   x[1] = x[2] = 0.0F;
   sendPose(0.0, 1.0, 2.0);
   clouds.publish(cloud);
-  sendScan(0.0, {{kNear, -50.0F}});
+  EXPECT_TRUE(logs(kWarn, "contact_points: frames of tf2 have no leading slash"));
+  structure_from_wifi::WifiScan scan = scanOf({{kNear, -50.0F}});
+  scan.header.frame_id = "/base_link";
+  scan.header.stamp = at(0.0);
+  scans_.publish(scan);
+  EXPECT_TRUE(logs(kWarn, "wifi_scan: frames of tf2 have no leading slash"));
   EXPECT_EQ(rows(1), Rows{row(0.0, 1.0, 2.0, kNear, -50.0)});
   std::string contacts;
   EXPECT_TRUE(spinUntil(

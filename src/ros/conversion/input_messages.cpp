@@ -86,10 +86,7 @@ Conversion convertContactPoints(const sensor_msgs::PointCloud2& cloud,
     const UnlocatedContacts contacts{withoutSlash(cloud.header.frame_id),
                                      nearPoints(cloud, kFarthestM)};
     Conversion conversion{{{stampOr(cloud.header.stamp, context.received), contacts}}};
-    if (contacts.frame != cloud.header.frame_id) {
-      conversion.problem = "frames of tf2 have no leading slash; '" + cloud.header.frame_id +
-                           "' is taken as '" + contacts.frame + "'";
-    }
+    conversion.problem = slashProblem(cloud.header.frame_id);
     return conversion;
   } catch (const std::runtime_error& error) {
     return {{}, 1, "the cloud of contact points cannot be read: " + std::string(error.what())};

@@ -5,6 +5,7 @@
 
 #include "base/validation.h"
 #include "files/settings_tree.h"
+#include "files/text.h"
 
 namespace sfw {
 namespace {
@@ -16,8 +17,7 @@ void stripSlashes(RosSettings& settings, std::vector<std::string>& warnings) {
       const bool is_frame = name.size() > 6 && name.compare(name.size() - 6, 6, "_frame") == 0;
       const std::string frame = withoutSlash(value);
       if (is_frame && frame != value) {
-        warnings.push_back(name + ": frames of tf2 have no leading slash; '" + value +
-                           "' is taken as '" + frame + "'");
+        warnings.push_back(name + ": " + slashProblem(value));
         value = frame;
       }
     }
@@ -28,6 +28,16 @@ void stripSlashes(RosSettings& settings, std::vector<std::string>& warnings) {
 
 std::string withoutSlash(const std::string& frame) {
   return frame.substr(std::min(frame.find_first_not_of('/'), frame.size()));
+}
+
+std::string slashProblem(const std::string& frame) {
+  constexpr std::size_t kLongest = 100;
+  if (withoutSlash(frame) == frame) {
+    return "";
+  }
+  const std::string shown = printable(frame, kLongest);
+  return "frames of tf2 have no leading slash; '" + shown + "' is taken as '" +
+         withoutSlash(shown) + "'";
 }
 
 std::vector<std::string> validate(const RosSettings& settings) {

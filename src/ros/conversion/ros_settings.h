@@ -61,6 +61,9 @@ void forEachRosSetting(AnySettings& settings, Visitor&& visit) {
 /// The name of a frame without leading slashes, which tf's first version had and tf2 refuses.
 std::string withoutSlash(const std::string& frame);
 
+/// What is wrong with a frame that has leading slashes, in words; empty if it has none.
+std::string slashProblem(const std::string& frame);
+
 /// Every problem of the settings, one sentence each that starts with the setting's name.
 std::vector<std::string> validate(const RosSettings& settings);
 

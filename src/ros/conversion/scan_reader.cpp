@@ -9,9 +9,11 @@
 #include <utility>
 #include <vector>
 
+#include "files/text.h"
 #include "ros/conversion/field_path.h"
 #include "ros/conversion/message_layout.h"
 #include "ros/conversion/message_values.h"
+#include "ros/conversion/ros_settings.h"
 #include "ros/conversion/scan_values.h"
 
 namespace sfw {
@@ -20,6 +22,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr char kText[] = "std_msgs/String";
+constexpr char kFrame[] = "header.frame_id";
 constexpr double kHour = 3600.0;  // [s]; no cache of scans is older
 
 /// Makes readings of the values of one message.
@@ -36,7 +39,8 @@ class ScanReader {
         age_(format.age),
         span_(format.span_ms),
         fresh_(format.fresh),
-        kind_(format.kind) {}
+        kind_(format.kind),
+        frame_(kFrame) {}
 
   Conversion read() {
     constexpr std::size_t kMostReadings = 1000;  // far more than any radio hears
@@ -46,6 +50,10 @@ class ScanReader {
       } else {
         take(*reading, index);
       }
+    }
+    const Json* frame = frame_.find(message_, 0);
+    if (conversion_.problem.empty() && frame != nullptr && frame->is_string()) {
+      conversion_.problem = slashProblem(frame->get_ref<const std::string&>());
     }
     return std::move(conversion_);
   }
@@ -165,7 +173,7 @@ class ScanReader {
   const Json& message_;
   const ros::Time received_;
   const std::optional<Bssid> literal_;
-  const FieldPath bssid_, rssi_, stamp_, age_, span_, fresh_, kind_;
+  const FieldPath bssid_, rssi_, stamp_, age_, span_, fresh_, kind_, frame_;
   Conversion conversion_;
 };
 
@@ -190,8 +198,9 @@ std::string missingField(const ScanFormat& format, const MessageLayout& layout) 
 
 std::set<std::string> namesIn(const ScanFormat& format) {
   std::set<std::string> names = {"sec", "nanosec"};  // of a time of ROS 2, which is a message
-  for (const std::string_view path : {format.readings, format.bssid, format.rssi, format.stamp,
-                                      format.age, format.span_ms, format.fresh, format.kind}) {
+  for (const std::string_view path :
+       {format.readings, format.bssid, format.rssi, format.stamp, format.age, format.span_ms,
+        format.fresh, format.kind, std::string_view(kFrame)}) {
     FieldPath(path).addNames(names);
   }
   return names;
@@ -240,9 +249,7 @@ Conversion readText(const AnyMessage& message, const MessageLayout& layout,
 
 std::string printableType(const AnyMessage& message) {
   constexpr std::size_t kLongest = 100;
-  std::string type = message.type.substr(0, kLongest);
-  std::replace_if(
-      type.begin(), type.end(), [](unsigned char c) { return c <= ' ' || c > '~'; }, '?');
+  const std::string type = printable(message.type, kLongest);
   return type.empty() ? "unknown" : type;
 }
 

@@ -3,7 +3,11 @@
 namespace sfw {
 
 bool Announcements::isNews(const std::string& cause, const std::string& state) {
+  constexpr std::size_t kMostCauses = 1000;  // texts with values of hostile messages never end
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (states_.size() >= kMostCauses && states_.count(cause) == 0) {
+    return false;
+  }
   const auto [told, is_first] = states_.emplace(cause, state);
   const bool is_news = is_first || told->second != state;
   told->second = state;
