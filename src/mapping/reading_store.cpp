@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/erase_if.h"
+#include "base/rssi_range.h"
 #include "path/poses_between.h"
 #include "structure_from_wifi/input_error.h"
 
@@ -101,7 +102,7 @@ InsertResult ReadingStore::examine(const Reading& reading) const {
   if (!std::isfinite(reading.rssi_dbm)) {
     return InsertResult::kRssiNotFinite;
   }
-  if (reading.rssi_dbm <= -120.0 || reading.rssi_dbm > 0.0) {
+  if (!isInRssiRange(reading.rssi_dbm)) {
     return InsertResult::kRssiOutOfRange;
   }
   return readings_.size() < static_cast<std::size_t>(config_.max_readings)

@@ -202,6 +202,23 @@ TEST(InputMessages, RejectACloudWhoseSizesContradictItsData) {
   }
 }
 
+TEST(InputMessages, TellOfALeadingSlashInTheFrameOfAScanAndTakeItsReadings) {
+  structure_from_wifi::WifiScan scan;
+  scan.readings = {apReading("02:00:00:00:00:01", -40.0F, 0.0)};
+  for (const std::string frame : {"", "antenna"}) {
+    scan.header.frame_id = frame;
+    EXPECT_EQ(convertReadings(anyMessageOf(scan), kContext).problem, "");
+  }
+  scan.header.frame_id = "/antenna";
+  const Conversion conversion = convertReadings(anyMessageOf(scan), kContext);
+  EXPECT_EQ(conversion.problem,
+            "frames of tf2 have no leading slash; '/antenna' is taken as 'antenna'");
+  EXPECT_EQ(conversion.observations.size(), 1U);
+  EXPECT_EQ(conversion.rejected, 0U);
+  scan.readings.push_back(apReading("no address", -40.0F, 0.0));
+  EXPECT_EQ(convertReadings(anyMessageOf(scan), kContext).problem, "a BSSID is malformed");
+}
+
 geometry_msgs::TransformStamped mapFromAntenna(double seconds, double x) {
   geometry_msgs::TransformStamped transform;
   transform.header.stamp = ros::Time(seconds);
@@ -255,6 +272,47 @@ TEST(ObservationQueue, DropsObservationsThatWaitTooLongOrAreTooMany) {
   EXPECT_EQ(later.overflowed, 0U);
   EXPECT_EQ(later.expired, 2U);
   EXPECT_NE(later.tf_error, "");
+}
+
+TEST(ObservationQueue, UnusableObservationsTakeNoPlaceOfUsableOnes) {
+  const tf2::BufferCore no_transforms;
+  RosSettings config = rosConfig();
+  config.max_waiting = 20;
+  ObservationQueue queue(config);
+  const Observation percent{ros::Time(10.0),
+                            UnlocatedReading{*Bssid::parse("02:00:00:00:00:01"), 70.0}};
+  for (int i = 0; i < 20; ++i) {
+    queue.push(observationAt(10.0 + 0.01 * i));
+  }
+  for (int i = 0; i < 1000; ++i) {
+    queue.push(percent);
+  }
+  const auto unexpected = [](const LocatedObservation&) { FAIL() << "tf knows no transform"; };
+  const ObservationQueue::Outcome flooded =
+      queue.locate(no_transforms, ros::Time(11.0), unexpected);
+  EXPECT_EQ(flooded.overflowed, 0U);
+  EXPECT_EQ(flooded.unusable, 998U);
+  EXPECT_EQ(queue.size(), 22U);
+  queue.push(observationAt(11.0));  // after a call of locate() the counts hold, too
+  queue.push(percent);
+  const ObservationQueue::Outcome later = queue.locate(no_transforms, ros::Time(11.0), unexpected);
+  EXPECT_EQ(later.overflowed, 1U);
+  EXPECT_EQ(later.unusable, 1U);
+}
+
+TEST(ObservationQueue, AnOldUnusableObservationGoesWithTheOldestUsableOne) {
+  const tf2::BufferCore no_transforms;
+  ObservationQueue queue(rosConfig());  // two may wait
+  queue.push({ros::Time(10.0), UnlocatedReading{*Bssid::parse("02:00:00:00:00:01"), 70.0}});
+  for (const double seconds : {10.0, 11.0, 12.0}) {
+    queue.push(observationAt(seconds));
+  }
+  const auto unexpected = [](const LocatedObservation&) { FAIL() << "tf knows no transform"; };
+  const ObservationQueue::Outcome outcome =
+      queue.locate(no_transforms, ros::Time(12.0), unexpected);
+  EXPECT_EQ(outcome.overflowed, 1U);
+  EXPECT_EQ(outcome.unusable, 1U);
+  EXPECT_EQ(queue.size(), 2U);
 }
 
 }  // namespace

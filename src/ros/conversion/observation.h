@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/rssi_range.h"
 #include "structure_from_wifi/types.h"
 
 namespace sfw {
@@ -29,6 +30,12 @@ struct Observation {
   ros::Time stamp;
   std::variant<UnlocatedReading, UnlocatedContacts> content;
 };
+
+/// Whether the mapper can use an observation. It counts the others, and tells why.
+inline bool isUsable(const Observation& observation) {
+  const auto* reading = std::get_if<UnlocatedReading>(&observation.content);
+  return reading == nullptr || isInRssiRange(reading->rssi_dbm);
+}
 
 /// The usable observations of a message, with the count and the problem of the others.
 struct Conversion {

@@ -186,6 +186,10 @@ void MappingNodelet::warnOfLosses(const ObservationQueue::Outcome& outcome) {
                   << outcome.tf_error);
     }
   }
+  if (outcome.unusable > 0) {
+    mapper_->recordRejected("its signal is no dBm, and many such readings waited for tf",
+                            outcome.unusable);
+  }
   if (outcome.overflowed > 0) {
     mapper_->recordRejected("the queue of scans without transform was full (ros/max_waiting)",
                             outcome.overflowed);

@@ -1,23 +1,41 @@
 #include "ros/mapping/observation_queue.h"
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
 namespace sfw {
 
 void ObservationQueue::push(Observation observation) {
+  const auto most = static_cast<std::size_t>(config_.max_waiting);
+  const bool is_usable = isUsable(observation);
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (waiting_.size() >= static_cast<std::size_t>(config_.max_waiting)) {
-    waiting_.pop_front();
-    ++overflowed_;
+  if (!is_usable && waiting_.size() - usable_ >= std::max<std::size_t>(1, most / 10)) {
+    ++unusable_dropped_;
+    return;
   }
+  if (is_usable && usable_ >= most) {
+    dropOldest();
+  }
+  usable_ += is_usable ? 1 : 0;
   waiting_.push_back({std::move(observation), ros::Time()});
+}
+
+void ObservationQueue::dropOldest() {
+  bool is_usable = false;
+  while (!is_usable && !waiting_.empty()) {
+    is_usable = isUsable(waiting_.front().observation);
+    waiting_.pop_front();
+    ++(is_usable ? overflowed_ : unusable_dropped_);
+  }
+  usable_ -= is_usable ? 1 : 0;
 }
 
 void ObservationQueue::clear() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     waiting_.clear();
+    usable_ = 0;
   }
   const std::lock_guard<std::mutex> lock(sampling_);
   sampler_.clear();
@@ -44,12 +62,17 @@ ObservationQueue::Outcome ObservationQueue::locate(const tf2::BufferCore& transf
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     all.swap(waiting_);
+    usable_ = 0;
     std::swap(outcome.overflowed, overflowed_);
+    std::swap(outcome.unusable, unusable_dropped_);
   }
   std::deque<Waiting> still_waiting;
   const auto giveBack = [&] {
     const std::lock_guard<std::mutex> lock(mutex_);
     for (std::deque<Waiting>* part : {&all, &still_waiting}) {
+      usable_ += static_cast<std::size_t>(
+          std::count_if(part->begin(), part->end(),
+                        [](const Waiting& waiting) { return isUsable(waiting.observation); }));
       waiting_.insert(waiting_.begin(), std::make_move_iterator(part->begin()),
                       std::make_move_iterator(part->end()));
     }

@@ -24,7 +24,8 @@ class ObservationQueue {
  public:
   explicit ObservationQueue(const RosSettings& config) : config_(config), sampler_(config) {}
 
-  /// Adds an observation; with ros/max_waiting in the queue, the oldest one is dropped.
+  /// Adds an observation. With ros/max_waiting usable ones in the queue, the oldest is dropped.
+  /// A tenth as many unusable ones may wait beside them, and take no place of a usable one.
   void push(Observation observation);
 
   /// Drops all observations, and forgets which part of the path was sampled.
@@ -37,7 +38,8 @@ class ObservationQueue {
   struct Outcome {
     std::size_t located = 0;
     std::size_t expired = 0;     ///< older than ros/transform_timeout, or in the queue for so long
-    std::size_t overflowed = 0;  ///< dropped by push() since the last call
+    std::size_t overflowed = 0;  ///< usable ones dropped by push() since the last call
+    std::size_t unusable = 0;    ///< unusable ones likewise
     std::string tf_error;        ///< of the last one that expired
   };
 
@@ -56,12 +58,17 @@ class ObservationQueue {
     ros::Time since;  // zero before the first attempt to locate it
   };
 
+  /// Drops the oldest usable observation, and with it the unusable ones before it.
+  void dropOldest();
+
   bool isExpired(const Waiting& waiting, const ros::Time& now) const;
 
   const RosSettings config_;
   mutable std::mutex mutex_;
   std::deque<Waiting> waiting_;
+  std::size_t usable_ = 0;  // of those that wait
   std::size_t overflowed_ = 0;
+  std::size_t unusable_dropped_ = 0;
   std::mutex sampling_;  // around the next member, so that push() never waits for it
   PathSampler sampler_;
 };
