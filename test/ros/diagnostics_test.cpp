@@ -177,6 +177,18 @@ TEST(Diagnostics, DescribeTheMap) {
   expectStatus(described(describeMap, status), kError, "no memory");
 }
 
+TEST(InputStatistics, RemembersSoManyReasonsOnly) {
+  InputStatistics statistics;
+  const std::size_t scan = statistics.add("/scan", true);
+  for (int i = 0; i < 1000; ++i) {
+    statistics.count(scan, {{}, 1, "frame " + std::to_string(i)}, 100.0);
+  }
+  const auto rejected = statistics.inputs(100.0)[scan].rejected;
+  EXPECT_EQ(rejected.size(), 101U);
+  EXPECT_EQ(rejected.at("other reasons"), 900U);
+  EXPECT_EQ(statistics.takeRejected().at("other reasons"), 900U);
+}
+
 TEST(InputStatistics, CountsMessagesRatesAndRejections) {
   InputStatistics statistics;
   const std::size_t scan = statistics.add("/scan", true);

@@ -35,8 +35,13 @@ void InputStatistics::count(std::size_t input, const Conversion& conversion, dou
     counts.last_observation_s = now_s;
   }
   if (conversion.rejected > 0) {
-    counts.rejected[conversion.problem] += conversion.rejected;
-    rejected_[conversion.problem] += conversion.rejected;
+    // Reasons with values of hostile messages never end.
+    constexpr std::size_t kMostReasons = 100;
+    const bool has_room =
+        counts.rejected.size() < kMostReasons || counts.rejected.count(conversion.problem) > 0;
+    const std::string reason = has_room ? conversion.problem : "other reasons";
+    counts.rejected[reason] += conversion.rejected;
+    rejected_[reason] += conversion.rejected;
   }
   const auto second = static_cast<std::int64_t>(std::floor(now_s));
   recent_[input].moveTo(second);
