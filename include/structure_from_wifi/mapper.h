@@ -27,9 +27,9 @@ enum class UseRadio;
 ///
 /// The map is a function of the set of readings: order of arrival, repetition of a scan and the
 /// play rate of a bag do not matter. Of several readings of one radio at one stamp, the strongest
-/// counts. Positions are rounded to 0.1 mm and signals to 0.01 dB on insertion, so rounding errors
-/// of the poses do not matter either.
-/// Copies share the immutable parts. Not thread-safe; its owner serialises calls.
+/// counts. Each robot has a path of its own, and no way joins two of them. Positions are rounded to
+/// 0.1 mm and signals to 0.01 dB on insertion, so rounding errors of the poses do not matter
+/// either. Copies share the immutable parts. Not thread-safe; its owner serialises calls.
 class SFW_EXPORT Mapper {
  public:
   /// @param access_points  the table; if it is empty, each BSSID that is heard joins it (2000 at
@@ -59,8 +59,9 @@ class SFW_EXPORT Mapper {
   /// A pose counts where it lies between two readings in time, and 0.1 m from them and from the
   /// poses kept before it. So it fills the gaps of a slow scanner, and readings that are dense give
   /// the same map without poses. The cost is that of insert(). A pose that is rejected is not
-  /// counted.
-  InsertResult insertPose(std::int64_t stamp_ns, const Position& antenna_in_map);
+  /// counted. Only the readings of the same robot count as those before and after it.
+  InsertResult insertPose(std::int64_t stamp_ns, const Position& antenna_in_map,
+                          const std::string& robot = {});
 
   /// Counts readings that were rejected before insertion, for the report.
   /// @param reason  in words
@@ -84,11 +85,11 @@ class SFW_EXPORT Mapper {
   /// Forgets readings, path and contacts; the geometry stays.
   void reset();
 
-  /// Forgets every reading, contact and pose for which a test of its stamp [ns] and position [m] is
-  /// true. The geometry stays. O(readings log readings).
+  /// Forgets every reading, contact and pose for which a test of its stamp [ns], position [m] and
+  /// robot is true. The geometry stays. O(readings log readings).
   /// @return the number of readings and of contacts
   std::pair<std::size_t, std::size_t> forget(
-      const std::function<bool(std::int64_t, const Position&)>& test);
+      const std::function<bool(std::int64_t, const Position&, const std::string&)>& test);
 
   /// The table of access points.
   const std::vector<AccessPoint>& accessPoints() const;
@@ -101,13 +102,14 @@ class SFW_EXPORT Mapper {
   /// stray.
   GridGeometry geometry() const;
 
-  /// Every reading once, by stamp and bssid. A file of these readings gives the same map again.
+  /// Every reading once, by stamp, bssid and robot. A file of these readings gives the same map
+  /// again.
   std::vector<Reading> readings() const;
 
   /// Every contact, in order of arrival.
   const std::vector<Contact>& contacts() const;
 
-  /// The poses of insertPose, by stamp. With them, files give the same map again.
+  /// The poses of insertPose, by robot and stamp. With them, files give the same map again.
   std::vector<PathPose> poses() const;
 
   /// The readings and contacts that no map uses.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "structure_from_wifi/export.h"
@@ -18,6 +19,8 @@ struct OdometryCorrection {
   /// Whether the pose lies between readings. Such a pose is moved with them, but a jump is sought
   /// from reading to reading only: tf may divide a jump into small steps.
   bool is_between = false;
+
+  std::string robot = {};  ///< name of the robot; empty: the only one
 };
 
 /// Moves points of the past by a later correction of the path. Immutable.
@@ -31,20 +34,22 @@ class SFW_EXPORT PathCorrection {
 
   /// Returns the corrected position of a point that the robot sensed at a time. The point moves
   /// with the antenna of that time. A point without a correction at its time keeps exactly its
-  /// position. O(log corrections).
-  Position moved(std::int64_t stamp_ns, const Position& point_in_map) const;
+  /// position. Each robot has corrections of its own. O(log corrections).
+  Position moved(std::int64_t stamp_ns, const Position& point_in_map,
+                 const std::string& robot = {}) const;
 
  private:
   friend class PathCorrector;
 
   struct Move {
+    std::string robot;
     std::int64_t stamp_ns = 0;
     Position from = Position::Zero();
     Position to = Position::Zero();
     double turn_rad = 0.0;
   };
 
-  std::vector<Move> moves_;  // by stamp
+  std::vector<Move> moves_;  // by robot and stamp
 };
 
 /// Corrects the past path when the transform from odometry to map jumps.
@@ -57,7 +62,8 @@ class SFW_EXPORT PathCorrection {
 /// same to first order. If the distance is too short for so much drift, the jump reaches further
 /// back. If the whole drive is too short, it moves as a whole, as after a wrong pose at the start.
 ///
-/// The result depends on the set of corrections alone, not on their order. Not thread-safe.
+/// Robots are corrected each by itself. The result depends on the set of corrections alone, not on
+/// their order. Not thread-safe.
 class SFW_EXPORT PathCorrector {
  public:
   /// A change from one correction to the next that exceeds either limit is a jump.
@@ -90,6 +96,9 @@ class SFW_EXPORT PathCorrector {
   PathCorrection correction() const;
 
  private:
+  /// Adds the moves of one robot, which has these corrections, by stamp.
+  void addMoves(const std::vector<OdometryCorrection>& corrections, PathCorrection& result) const;
+
   /// Returns the index of the last correction of the jump that begins at `begin`.
   /// @param readings  the corrections at readings, by stamp
   std::size_t endOfJump(const std::vector<OdometryCorrection>& readings, std::size_t begin) const;

@@ -133,7 +133,7 @@ struct Snapshot {
   /// probably free, ahead of the robot, if it is known here, below 0.5, and not free in the map.
   BeliefMap probability;
 
-  std::vector<PathPose> path;                        ///< in the order driven, without stray poses
+  std::vector<PathPose> path;  ///< robot by robot in the order driven, without stray poses
   std::vector<AccessPointSummary> access_points;     ///< in the order of the table
   Rejections rejections;                             ///< data that the map does not use
   std::optional<TomographySummary> tomography = {};  ///< only of method tomography

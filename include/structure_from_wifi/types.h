@@ -18,6 +18,7 @@ struct Reading {
   Position antenna_in_map = Position::Zero();  ///< [m]
   Bssid bssid;                                 ///< of the access point
   double rssi_dbm = 0.0;                       ///< received power
+  std::string robot = {};                      ///< name of the robot; empty: the only one
 };
 
 /// A reading in a list that already gives its access point and time.
@@ -30,6 +31,7 @@ struct Sample {
 struct Contact {
   std::int64_t stamp_ns = 0;                 ///< of the touch
   Position point_in_map = Position::Zero();  ///< [m]
+  std::string robot = {};                    ///< name of the robot; empty: the only one
 };
 
 /// A pose of the path.
@@ -37,6 +39,7 @@ struct PathPose {
   std::int64_t stamp_ns = 0;                   ///< of the pose
   Position antenna_in_map = Position::Zero();  ///< [m]
   int walls = kNoWallCount;  ///< fewest walls to any access point with a reading at this pose
+  std::string robot = {};    ///< name of the robot; empty: the only one
 
   /// The value of `walls` where no reading gave a count.
   static constexpr int kNoWallCount = -1;

@@ -35,21 +35,25 @@ double fadingOf(const Readings& readings) {
   return sum / (static_cast<double>(steps) + kWeight);
 }
 
-/// Differences of the signals that are heard at once [dB]. A pair of values that repeats the one
-/// before it may be cached, and counts once.
+/// Differences of the signals that one robot hears at once [dB]. A pair of values that repeats the
+/// one before it may be cached, and counts once.
 std::vector<double> differencesOf(const Readings& a, const Readings& b) {
   std::vector<double> differences;
   std::pair<double, double> last(1.0, 1.0);  // no signal
   std::size_t j = 0;
   for (const Reading& reading : a) {
-    while (j < b.size() && b[j].stamp_ns < reading.stamp_ns - kSimultaneousNs) {
+    while (j < b.size() &&
+           (b[j].robot < reading.robot ||
+            (b[j].robot == reading.robot && b[j].stamp_ns < reading.stamp_ns - kSimultaneousNs))) {
       ++j;
     }
-    while (j + 1 < b.size() && std::abs(b[j + 1].stamp_ns - reading.stamp_ns) <=
-                                   std::abs(b[j].stamp_ns - reading.stamp_ns)) {
+    while (j + 1 < b.size() && b[j + 1].robot == reading.robot &&
+           std::abs(b[j + 1].stamp_ns - reading.stamp_ns) <=
+               std::abs(b[j].stamp_ns - reading.stamp_ns)) {
       ++j;
     }
-    if (j == b.size() || std::abs(b[j].stamp_ns - reading.stamp_ns) > kSimultaneousNs) {
+    if (j == b.size() || b[j].robot != reading.robot ||
+        std::abs(b[j].stamp_ns - reading.stamp_ns) > kSimultaneousNs) {
       continue;
     }
     const std::pair<double, double> now(reading.rssi_dbm, b[j].rssi_dbm);

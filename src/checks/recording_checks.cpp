@@ -1,10 +1,12 @@
 #include "checks/recording_checks.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <tuple>
 
 #include "base/erase_if.h"
+#include "base/rssi_range.h"
 #include "checks/radio_checks.h"
 #include "checks/sentinel_checks.h"
 #include "checks/signal_checks.h"
@@ -16,28 +18,31 @@ namespace {
 
 using ByRadio = std::vector<std::vector<Reading>>;
 
-bool isSignal(const Reading& reading) {
-  return reading.rssi_dbm > -120.0 && reading.rssi_dbm <= 0.0;
+bool isSignal(const Reading& reading) { return isInRssiRange(reading.rssi_dbm); }
+
+bool earlier(const Reading& a, const Reading& b) {
+  return std::tie(a.robot, a.stamp_ns) < std::tie(b.robot, b.stamp_ns);
 }
 
-bool earlier(const Reading& a, const Reading& b) { return a.stamp_ns < b.stamp_ns; }
-
-/// Every pose once, by stamp, of accepted and of refused readings.
+/// Every pose once, by robot and stamp, of accepted and of refused readings.
 std::vector<PathPose> posesOf(const RecordingData& data) {
   std::vector<PathPose> poses;
   poses.reserve(data.accepted.size());
   const auto add = [&](const std::vector<Reading>& readings) {
     for (const Reading& reading : readings) {
       if (poses.empty() || poses.back().stamp_ns != reading.stamp_ns ||
-          poses.back().antenna_in_map != reading.antenna_in_map) {
-        poses.push_back({reading.stamp_ns, reading.antenna_in_map, PathPose::kNoWallCount});
+          poses.back().antenna_in_map != reading.antenna_in_map ||
+          poses.back().robot != reading.robot) {
+        poses.push_back(
+            {reading.stamp_ns, reading.antenna_in_map, PathPose::kNoWallCount, reading.robot});
       }
     }
   };
   add(data.accepted);
   add(data.refused);
   const auto order = [](const PathPose& pose) {
-    return std::make_tuple(pose.stamp_ns, pose.antenna_in_map.x(), pose.antenna_in_map.y());
+    return std::make_tuple(std::cref(pose.robot), pose.stamp_ns, pose.antenna_in_map.x(),
+                           pose.antenna_in_map.y());
   };
   std::sort(poses.begin(), poses.end(),
             [&](const PathPose& a, const PathPose& b) { return order(a) < order(b); });
@@ -48,7 +53,7 @@ std::vector<PathPose> posesOf(const RecordingData& data) {
   return poses;
 }
 
-/// The readings of each access point, by stamp.
+/// The readings of each access point, by robot and stamp.
 class Radios {
  public:
   explicit Radios(const CheckedRecording& recording) {
@@ -79,7 +84,8 @@ class Radios {
         continue;
       }
       std::vector<Reading>& radio = (isSignal(reading) ? signals : others)[found->second];
-      if (radio.empty() || radio.back().stamp_ns != reading.stamp_ns) {  // else it is repeated
+      if (radio.empty() || radio.back().stamp_ns != reading.stamp_ns ||
+          radio.back().robot != reading.robot) {  // else it is repeated
         radio.push_back(reading);
       }
     }
@@ -87,7 +93,9 @@ class Radios {
 };
 
 bool isOneStamp(const CheckedRecording& recording, const std::vector<PathPose>& poses) {
-  return recording.stamped_alike > 0 && poses.front().stamp_ns == poses.back().stamp_ns;
+  return recording.stamped_alike > 0 &&
+         std::all_of(poses.begin(), poses.end(),
+                     [&](const PathPose& pose) { return pose.stamp_ns == poses.front().stamp_ns; });
 }
 
 bool areStampsCut(const CheckedRecording& recording) {

@@ -96,7 +96,7 @@ Repetition repetitionOf(const Readings& readings) {
   Repetition repetition;
   for (std::size_t i = 1; i < readings.size(); ++i) {
     const double way = (readings[i].antenna_in_map - readings[i - 1].antenna_in_map).norm();
-    if (way < kDrives) {
+    if (way < kDrives || readings[i].robot != readings[i - 1].robot) {
       continue;
     }
     const double change = std::abs(readings[i].rssi_dbm - readings[i - 1].rssi_dbm);

@@ -14,12 +14,12 @@ double seconds(std::int64_t from_ns, std::int64_t to_ns) {
   return 1e-9 * static_cast<double>(to_ns - from_ns);
 }
 
-/// Whether a robot cannot have driven this step.
+/// Whether a robot cannot have driven this step. No step leads from one robot to another.
 bool isTooFast(const PathPose& from, const PathPose& to) {
   constexpr double kFar = 1.0;   // [m]
   constexpr double kFast = 2.0;  // [m/s], a speed that any robot may reach
   const double way = distance(from.antenna_in_map, to.antenna_in_map);
-  return way > kFar && way > kFast * seconds(from.stamp_ns, to.stamp_ns);
+  return from.robot == to.robot && way > kFar && way > kFast * seconds(from.stamp_ns, to.stamp_ns);
 }
 
 /// Bursts of one access point.
@@ -28,6 +28,7 @@ struct Bursts {
   std::vector<double> ways_m;
 };
 
+/// @param readings  of one access point by one robot
 Bursts burstsOf(const std::vector<Reading>& readings) {
   constexpr std::size_t kFewestReadings = 20;
   constexpr double kAtOnce = 0.05;     // [s]
@@ -92,11 +93,17 @@ std::optional<BurstFinding> checkBursts(const std::vector<std::vector<Reading>>&
   std::size_t in_bursts = 0;
   std::size_t examined = 0;
   for (const std::vector<Reading>& radio : readings) {
-    const Bursts bursts = burstsOf(radio);
-    all.periods_s.insert(all.periods_s.end(), bursts.periods_s.begin(), bursts.periods_s.end());
-    all.ways_m.insert(all.ways_m.end(), bursts.ways_m.begin(), bursts.ways_m.end());
-    in_bursts += bursts.ways_m.empty() ? 0 : radio.size();
-    examined += radio.size();
+    for (auto begin = radio.begin(); begin != radio.end();) {
+      const auto end = std::find_if(begin, radio.end(),
+                                    [&](const Reading& one) { return one.robot != begin->robot; });
+      const std::vector<Reading> one_robot(begin, end);
+      const Bursts bursts = burstsOf(one_robot);
+      all.periods_s.insert(all.periods_s.end(), bursts.periods_s.begin(), bursts.periods_s.end());
+      all.ways_m.insert(all.ways_m.end(), bursts.ways_m.begin(), bursts.ways_m.end());
+      in_bursts += bursts.ways_m.empty() ? 0 : one_robot.size();
+      examined += one_robot.size();
+      begin = end;
+    }
   }
   const double way = quantile(all.ways_m, 0.5);
   if (2 * in_bursts < examined || way < kFarApart) {
@@ -113,6 +120,9 @@ std::optional<GapFinding> checkGaps(const std::vector<PathPose>& path, double ma
   double way = 0.0;
   double too_long = 0.0;
   for (std::size_t i = 1; i < path.size(); ++i) {
+    if (path[i].robot != path[i - 1].robot) {
+      continue;
+    }
     const double step = distance(path[i - 1].antenna_in_map, path[i].antenna_in_map);
     way += step;
     if (step > max_gap_m) {

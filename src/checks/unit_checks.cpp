@@ -56,6 +56,9 @@ std::optional<Measures> measuresOf(const std::vector<PathPose>& poses) {
   std::vector<double> intervals;
   std::vector<double> steps;
   for (std::size_t i = 1; i < poses.size(); ++i) {
+    if (poses[i].robot != poses[i - 1].robot) {
+      continue;
+    }
     const double way = (poses[i].antenna_in_map - poses[i - 1].antenna_in_map).norm();
     const double time = 1e-9 * static_cast<double>(poses[i].stamp_ns - poses[i - 1].stamp_ns);
     if (time > 0.0) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/validation.h"
 #include "cli/warnings.h"
 #include "files/text.h"
 #include "ros/conversion/input_messages.h"
@@ -24,38 +25,33 @@ void replaceIfGiven(const std::string& given, std::string& frame) {
   frame = given.empty() ? frame : withoutSlash(given);
 }
 
-/// Warns of readings without position, and counts them.
-void warnOfUnlocated(const BagReading& reading, const std::string& bags, const RosSettings& ros,
-                     Mapper& mapper) {
-  const std::size_t unlocated =
-      reading.before_transforms + reading.after_transforms + reading.unlocated;
-  if (unlocated > 0) {
-    mapper.recordRejected("no transform at their stamp", unlocated);
-  }
-  const std::string frames = "from " + ros.antenna_frame + " to " + ros.map_frame;
-  if (reading.before_transforms > 0) {
-    warn(bags + ": " + std::to_string(reading.before_transforms) +
+/// Warns of a robot's readings without position.
+void warnOfUnlocated(const UnlocatedCount& count, const std::string& bags,
+                     const std::string& map_frame, const std::vector<std::string>& all_frames) {
+  const std::string frames = "from " + count.antenna_frame + " to " + map_frame;
+  if (count.before_transforms > 0) {
+    warn(bags + ": " + std::to_string(count.before_transforms) +
          " readings left out: the transforms " + frames + " begin " +
-         formatted("%.1f", reading.transforms_from_s) +
+         formatted("%.1f", count.transforms_from_s) +
          " s after the bag, and readings before have no position; start odometry and localisation "
          "before the recording");
   }
-  if (reading.after_transforms > 0) {
-    warn(bags + ": " + std::to_string(reading.after_transforms) +
+  if (count.after_transforms > 0) {
+    warn(bags + ": " + std::to_string(count.after_transforms) +
          " readings left out: the transforms " + frames + " end " +
-         formatted("%.1f", reading.transforms_until_s) +
+         formatted("%.1f", count.transforms_until_s) +
          " s after the begin of the bag, and readings after have no position; look why odometry or "
          "localisation stopped");
   }
-  if (reading.unlocated > 0) {
+  if (count.others > 0) {
     const std::string remedy =
-        reading.are_frames_connected
+        count.are_frames_connected
             ? "compare the clocks of the machines, since the bag has such transforms at other times"
             : "name the frames with --antenna-frame and --map-frame. Frames of the bag: " +
-                  listed(reading.frames);
-    warn(bags + ": " + std::to_string(reading.unlocated) +
+                  listed(all_frames);
+    warn(bags + ": " + std::to_string(count.others) +
          " readings left out: the bag has no transform " + frames + " at their stamp; " + remedy +
-         ". tf's error: " + reading.tf_error);
+         ". tf's error: " + count.tf_error);
   }
 }
 
@@ -65,13 +61,16 @@ void BagOptions::declare(Options& options) {
   options.addList("bag", "FILE", source.files,
                   "bag with /tf and scans; several for a recording that was split");
   for (const Input& input : kInputs) {
-    options.add(input.bag_option, "TOPIC", topics[input.topic], input.meaning);
+    std::vector<std::string>& names = topics[input.topic];
+    options.addList(input.bag_option, "TOPIC", names,
+                    std::string(input.meaning) + "; default: " + names.front());
   }
   options.add("tf-topic", "TOPIC", source.tf_topic,
               "transforms in the bag; default: tf in the namespace of the scans, or else /tf");
   options.add("map-frame", "FRAME", map_frame, "for a bag; default: the setting ros/map_frame");
-  options.add("antenna-frame", "FRAME", antenna_frame,
-              "for a bag; default: the setting ros/antenna_frame");
+  options.addList("antenna-frame", "FRAME", antenna_frames,
+                  "for a bag; of several robots, each scan's frame_id names one; default: the "
+                  "settings ros/antenna_frames or ros/antenna_frame");
   options.add("odom-frame", "FRAME", odom_frame,
               "for a bag; default: the setting ros/odom_frame, or else the frame of the odometry "
               "in tf");
@@ -79,12 +78,18 @@ void BagOptions::declare(Options& options) {
 
 RosSettings BagOptions::applied(RosSettings settings) const {
   replaceIfGiven(map_frame, settings.map_frame);
-  replaceIfGiven(antenna_frame, settings.antenna_frame);
+  if (!antenna_frames.empty()) {
+    settings.antenna_frames.clear();
+    for (const std::string& frame : antenna_frames) {
+      settings.antenna_frames += frame + " ";
+    }
+  }
   replaceIfGiven(odom_frame, settings.odom_frame);
   return settings;
 }
 
 void insertBags(const BagOptions& options, const MappingSettings& settings, Mapper& mapper) {
+  throwIfAny(validate(settings.ros));  // options may contradict one another
   const BagReading reading = readBags(options.source, options.topics, settings, mapper);
   const std::string bags = namesOf(options.source.files);
   for (const auto& [problem, count] : reading.rejected) {
@@ -96,7 +101,13 @@ void insertBags(const BagOptions& options, const MappingSettings& settings, Mapp
     warn(bags + ": " + std::to_string(reading.infinite_transforms) +
          " transforms are infinite and not used; look for the node that publishes them");
   }
-  warnOfUnlocated(reading, bags, settings.ros, mapper);
+  for (const UnlocatedCount& count : reading.unlocated) {
+    const std::size_t all = count.before_transforms + count.after_transforms + count.others;
+    if (all > 0) {
+      mapper.recordRejected("no transform at their stamp", all);
+      warnOfUnlocated(count, bags, settings.ros.map_frame, frames);
+    }
+  }
   if (!reading.odom_frame.empty() &&
       std::find(frames.begin(), frames.end(), reading.odom_frame) == frames.end()) {
     warn(bags + ": the bag has no frame " + reading.odom_frame +

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "cli/options.h"
 #include "ros/bags/bag_reader.h"
@@ -13,7 +14,7 @@ struct BagOptions {
   BagSource source;
   BagTopics topics = defaultBagTopics();
   std::string map_frame;
-  std::string antenna_frame;
+  std::vector<std::string> antenna_frames;  ///< several of several robots
   std::string odom_frame;
 
   /// Declares the options with their help.

@@ -172,7 +172,8 @@ LoadedRecording loadRecording(const RecordingOptions& options) {
   }
   if (!options.path.empty()) {
     for (const PathPose& pose : readPath(options.path)) {
-      mapper.insertPose(pose.stamp_ns, near(pose.antenna_in_map * options.scale, offset));
+      mapper.insertPose(pose.stamp_ns, near(pose.antenna_in_map * options.scale, offset),
+                        pose.robot);
     }
   }
   reportRejections(source, mapper.rejections());

@@ -196,4 +196,16 @@ std::string CsvTable::number(std::size_t i) const {
   return text;
 }
 
+std::string csvField(const std::string& text) {
+  const bool has_blank = !text.empty() && (text.front() == ' ' || text.back() == ' ');
+  if (!has_blank && text.find_first_of(",;\t\"\r\n") == std::string::npos) {
+    return text;
+  }
+  std::string quoted = "\"";
+  for (const char c : text) {
+    quoted += c == '"' ? "\"\"" : std::string(1, c);
+  }
+  return quoted + "\"";
+}
+
 }  // namespace sfw

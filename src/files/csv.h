@@ -98,4 +98,7 @@ class CsvTable {
   std::string problem_;
 };
 
+/// A text as a field of a CSV by RFC 4180, in quotes if it needs them.
+std::string csvField(const std::string& text);
+
 }  // namespace sfw

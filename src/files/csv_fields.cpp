@@ -98,12 +98,17 @@ std::optional<RowFault> readPlace(const CsvTable& table, std::int64_t& stamp_ns,
   return fault ? fault : readPosition(table, 1, position);
 }
 
+std::string robotOf(const CsvTable& table) {
+  constexpr std::size_t kRobot = 3;
+  return std::string(table.field(kRobot));
+}
+
 InputError unusable(const CsvTable& table, const RowFault& fault) {
   return InputError(table.file() + ": " + table.line() + ": " + fault.reason + ": " + fault.detail);
 }
 
 std::vector<CsvColumn> placeColumns() {
-  return {{"stamp", {"timestamp", "time"}}, {"x", {"tx"}}, {"y", {"ty"}}};
+  return {{"stamp", {"timestamp", "time"}}, {"x", {"tx"}}, {"y", {"ty"}}, {"robot", {}, false}};
 }
 
 }  // namespace sfw

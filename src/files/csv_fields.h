@@ -34,12 +34,15 @@ std::optional<RowFault> readPosition(const CsvTable& table, std::size_t x, Posit
 std::optional<RowFault> readStamp(const CsvTable& table, std::size_t column,
                                   std::int64_t& stamp_ns);
 
-/// The columns stamp, x and y, for readPlace.
+/// The columns stamp, x, y and, if there are several robots, robot, for readPlace and robotOf.
 std::vector<CsvColumn> placeColumns();
 
 /// Reads a row of a table whose first columns are placeColumns.
 std::optional<RowFault> readPlace(const CsvTable& table, std::int64_t& stamp_ns,
                                   Position& position);
+
+/// The robot of a row in such a table; empty without that column.
+std::string robotOf(const CsvTable& table);
 
 /// The error for a file in which every row must be right.
 InputError unusable(const CsvTable& table, const RowFault& fault);

@@ -18,18 +18,24 @@ std::string secondsText(std::int64_t stamp_ns) {
 
 PoseTrack::PoseTrack(const std::string& file) : file_(file) {
   CsvTable table(file, placeColumns());
+  std::size_t count = 0;
   while (table.next()) {
     Pose pose{0, Position::Zero()};
     if (const auto fault = readPlace(table, pose.stamp_ns, pose.position)) {
       throw unusable(table, *fault);
     }
-    poses_.push_back(pose);
+    tracks_[robotOf(table)].push_back(pose);
+    first_pose_ns_ = count == 0 ? pose.stamp_ns : std::min(first_pose_ns_, pose.stamp_ns);
+    last_pose_ns_ = count == 0 ? pose.stamp_ns : std::max(last_pose_ns_, pose.stamp_ns);
+    ++count;
   }
-  if (poses_.size() < 2) {
-    throw InputError(file + ": two poses are needed; it has " + std::to_string(poses_.size()));
+  if (count < 2) {
+    throw InputError(file + ": two poses are needed; it has " + std::to_string(count));
   }
-  std::stable_sort(poses_.begin(), poses_.end(),
-                   [](const Pose& a, const Pose& b) { return a.stamp_ns < b.stamp_ns; });
+  for (auto& [robot, poses] : tracks_) {
+    std::stable_sort(poses.begin(), poses.end(),
+                     [](const Pose& a, const Pose& b) { return a.stamp_ns < b.stamp_ns; });
+  }
 }
 
 std::optional<RowFault> PoseTrack::locate(Reading& reading) {
@@ -37,11 +43,16 @@ std::optional<RowFault> PoseTrack::locate(Reading& reading) {
   first_reading_ns_ = std::min(first_reading_ns_.value_or(stamp_ns), stamp_ns);
   last_reading_ns_ = std::max(last_reading_ns_, stamp_ns);
   const std::string detail = "stamp " + secondsText(stamp_ns);
-  if (stamp_ns < poses_.front().stamp_ns || stamp_ns > poses_.back().stamp_ns) {
+  const auto track = tracks_.find(reading.robot);
+  if (track == tracks_.end()) {
+    return RowFault{"the path has no pose of its robot", "robot '" + reading.robot + "'"};
+  }
+  const std::vector<Pose>& poses = track->second;
+  if (stamp_ns < poses.front().stamp_ns || stamp_ns > poses.back().stamp_ns) {
     return RowFault{"its stamp is before the first pose or after the last one", detail};
   }
   const auto after =
-      std::lower_bound(poses_.begin(), poses_.end(), stamp_ns,
+      std::lower_bound(poses.begin(), poses.end(), stamp_ns,
                        [](const Pose& pose, std::int64_t stamp) { return pose.stamp_ns < stamp; });
   if (after->stamp_ns == stamp_ns) {
     reading.antenna_in_map = after->position;
@@ -61,11 +72,10 @@ std::optional<RowFault> PoseTrack::locate(Reading& reading) {
 
 void PoseTrack::requireMeeting(const std::string& readings_file) const {
   if (first_reading_ns_ &&
-      (*first_reading_ns_ > poses_.back().stamp_ns || last_reading_ns_ < poses_.front().stamp_ns)) {
+      (*first_reading_ns_ > last_pose_ns_ || last_reading_ns_ < first_pose_ns_)) {
     throw InputError(readings_file + ": its readings are from " + secondsText(*first_reading_ns_) +
                      " to " + secondsText(last_reading_ns_) + " s, but the poses in " + file_ +
-                     " from " + secondsText(poses_.front().stamp_ns) + " to " +
-                     secondsText(poses_.back().stamp_ns) +
+                     " from " + secondsText(first_pose_ns_) + " to " + secondsText(last_pose_ns_) +
                      " s; bring both to one clock (times without a zone are read as UTC)");
   }
 }

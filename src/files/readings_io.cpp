@@ -12,7 +12,7 @@
 namespace sfw {
 namespace {
 
-/// Reads a table of the columns stamp, x, y.
+/// Reads a table of the columns stamp, x, y, robot.
 /// @throw InputError naming the line of the first unusable row.
 template <class Visitor>
 void forEachPlace(const std::string& file, const Visitor& visit) {
@@ -23,7 +23,7 @@ void forEachPlace(const std::string& file, const Visitor& visit) {
     if (const auto fault = readPlace(table, stamp_ns, position)) {
       throw unusable(table, *fault);
     }
-    visit(stamp_ns, position);
+    visit(stamp_ns, position, robotOf(table));
   }
 }
 
@@ -33,6 +33,20 @@ std::string placeCsv(std::int64_t stamp_ns, const Position& position) {
   return formatted("%s%lld.%09lld,%.4f,%.4f", stamp_ns < 0 ? "-" : "",
                    std::llabs(stamp_ns / kSecond), std::llabs(stamp_ns % kSecond), position.x(),
                    position.y());
+}
+
+/// The rows of a table. If there are several robots, each row ends with its own.
+/// @param header  without the column `robot`
+/// @param rowOf   of an item, without its robot
+template <class Item, class RowOf>
+std::string csvOf(const std::string& header, const std::vector<Item>& items, const RowOf& rowOf) {
+  const bool has_robots =
+      std::any_of(items.begin(), items.end(), [](const Item& item) { return !item.robot.empty(); });
+  std::string text = header + (has_robots ? ",robot\n" : "\n");
+  for (const Item& item : items) {
+    text += rowOf(item) + (has_robots ? "," + csvField(item.robot) : "") + "\n";
+  }
+  return text;
 }
 
 }  // namespace
@@ -74,16 +88,16 @@ ReadingFile readReadings(const std::string& file, const std::string& path) {
 
 std::vector<Contact> readContacts(const std::string& file) {
   std::vector<Contact> contacts;
-  forEachPlace(file, [&](std::int64_t stamp_ns, const Position& position) {
-    contacts.push_back({stamp_ns, position});
+  forEachPlace(file, [&](std::int64_t stamp_ns, const Position& position, std::string robot) {
+    contacts.push_back({stamp_ns, position, std::move(robot)});
   });
   return contacts;
 }
 
 std::vector<PathPose> readPath(const std::string& file) {
   std::vector<PathPose> path;
-  forEachPlace(file, [&](std::int64_t stamp_ns, const Position& position) {
-    path.push_back({stamp_ns, position, PathPose::kNoWallCount});
+  forEachPlace(file, [&](std::int64_t stamp_ns, const Position& position, std::string robot) {
+    path.push_back({stamp_ns, position, PathPose::kNoWallCount, std::move(robot)});
   });
   return path;
 }
@@ -106,28 +120,21 @@ std::vector<Position> readWayPoints(const std::string& file) {
 }
 
 std::string readingsCsv(const std::vector<Reading>& readings) {
-  std::string text = "stamp,x,y,bssid,rssi_dbm\n";
-  for (const Reading& reading : readings) {
-    text += placeCsv(reading.stamp_ns, reading.antenna_in_map) +
-            formatted(",%s,%.2f\n", reading.bssid.str().c_str(), reading.rssi_dbm);
-  }
-  return text;
+  return csvOf("stamp,x,y,bssid,rssi_dbm", readings, [](const Reading& reading) {
+    return placeCsv(reading.stamp_ns, reading.antenna_in_map) +
+           formatted(",%s,%.2f", reading.bssid.str().c_str(), reading.rssi_dbm);
+  });
 }
 
 std::string contactsCsv(const std::vector<Contact>& contacts) {
-  std::string text = "stamp,x,y\n";
-  for (const Contact& contact : contacts) {
-    text += placeCsv(contact.stamp_ns, contact.point_in_map) + "\n";
-  }
-  return text;
+  return csvOf("stamp,x,y", contacts, [](const Contact& contact) {
+    return placeCsv(contact.stamp_ns, contact.point_in_map);
+  });
 }
 
 std::string pathCsv(const std::vector<PathPose>& path) {
-  std::string text = "stamp,x,y\n";
-  for (const PathPose& pose : path) {
-    text += placeCsv(pose.stamp_ns, pose.antenna_in_map) + "\n";
-  }
-  return text;
+  return csvOf("stamp,x,y", path,
+               [](const PathPose& pose) { return placeCsv(pose.stamp_ns, pose.antenna_in_map); });
 }
 
 }  // namespace sfw

@@ -5,7 +5,7 @@
 namespace sfw {
 namespace {
 
-enum Column : std::size_t { kStamp, kX, kY, kBssid, kRssi, kMicroseconds, kType, kPhy };
+enum Column : std::size_t { kStamp, kX, kY, kBssid, kRssi, kMicroseconds, kType, kPhy, kRobot };
 
 std::vector<CsvColumn> columnsOf(bool needs_positions) {
   const std::string advice = "; x and y may come from a file of the path: --path";
@@ -16,7 +16,8 @@ std::vector<CsvColumn> columnsOf(bool needs_positions) {
           {"rssi_dbm", {"rssi", "signal"}},
           {"ts_usec", {}, false},
           {"Type", {}, false},
-          {"phyname", {}, false}};
+          {"phyname", {}, false},
+          {"robot", {}, false}};
 }
 
 }  // namespace
@@ -75,6 +76,7 @@ std::optional<RowFault> ScanTable::readSignal(Reading& reading) const {
     return faultOf(table_, kBssid, " is malformed");
   }
   reading.bssid = *bssid;
+  reading.robot = std::string(table_.field(kRobot));
   constexpr double kAbsurd = 1e5;  // Mapper checks the signals, and the notes name other units
   std::optional<RowFault> fault = readNumber(table_, kRssi, -kAbsurd, kAbsurd, reading.rssi_dbm);
   if (!fault && table_.name(kStamp) == "ts_sec" && reading.rssi_dbm == 0.0) {

@@ -8,8 +8,8 @@
 
 namespace sfw {
 
-/// A CSV of readings, row by row: with the columns of this package (stamp, x, y, bssid, rssi_dbm),
-/// of WiGLE (FirstSeen, MAC, RSSI, Type), or of Kismet's table of packets (ts_sec, ts_usec,
+/// A CSV of readings, row by row: with the columns of this package (stamp, x, y, bssid, rssi_dbm,
+/// robot), of WiGLE (FirstSeen, MAC, RSSI, Type), or of Kismet's table of packets (ts_sec, ts_usec,
 /// transmac, signal, phyname).
 class ScanTable {
  public:

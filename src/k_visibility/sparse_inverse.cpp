@@ -24,7 +24,7 @@ class PathCells {
       const CountedPose& from = path.poses[i];
       const CountedPose& to = path.poses[i + 1 < path.poses.size() ? i + 1 : i];
       const Position middle = (from.antenna_in_map + to.antenna_in_map) / 2.0;
-      if ((to.antenna_in_map - from.antenna_in_map).norm() > max_gap_m) {
+      if (from.is_last || (to.antenna_in_map - from.antenna_in_map).norm() > max_gap_m) {
         enter(from.antenna_in_map, from.antenna_in_map, from.walls);
         continue;
       }

@@ -24,9 +24,10 @@ SparseInverseConfig sparseInverseConfig(const Config& config);
 struct CountedPose {
   Position antenna_in_map = Position::Zero();  ///< [m]
   int walls = 0;
+  bool is_last = false;  ///< of its robot: no way leads to the next pose
 };
 
-/// The poses with readings of one access point, by time.
+/// The poses with readings of one access point, by robot and time.
 struct CountedPath {
   Position access_point = Position::Zero();  ///< [m], map frame
   std::vector<CountedPose> poses;

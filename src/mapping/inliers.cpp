@@ -1,6 +1,10 @@
 #include "mapping/inliers.h"
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
+#include <set>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -14,7 +18,7 @@ namespace sfw {
 namespace {
 
 bool isStampedAlike(const Reading& a, const Reading& b) {
-  return a.stamp_ns == b.stamp_ns && a.bssid == b.bssid;
+  return a.stamp_ns == b.stamp_ns && a.bssid == b.bssid && a.robot == b.robot;
 }
 
 /// Counts the readings that are weaker than another one of their radio and stamp, and were taken at
@@ -33,7 +37,7 @@ std::size_t countStampedAlike(const std::vector<Reading>& sorted) {
 }
 
 PathPose poseOf(const Reading& reading) {
-  return {reading.stamp_ns, reading.antenna_in_map, PathPose::kNoWallCount};
+  return {reading.stamp_ns, reading.antenna_in_map, PathPose::kNoWallCount, reading.robot};
 }
 
 std::vector<PathPose> pathOf(const std::vector<Reading>& readings) {
@@ -99,11 +103,13 @@ PathMotion motionOf(const std::vector<PathPose>& path) {
   return motion;
 }
 
-/// Removes the stray poses of a path, and the readings and contacts at them.
+/// Removes the stray poses of a robot's path, and its readings and contacts at them.
 void removeStray(const std::vector<bool>& stray, std::vector<Reading>& readings,
                  std::vector<Contact>& contacts, std::vector<PathPose>& path) {
   eraseIf(readings, [&](const Reading& reading) { return stray[poseIndex(reading, path)]; });
-  eraseIf(contacts, [&](const Contact& contact) { return stray[poseAt(contact.stamp_ns, path)]; });
+  eraseIf(contacts, [&](const Contact& contact) {
+    return contact.robot == path.front().robot && stray[poseAt(contact.stamp_ns, path)];
+  });
   std::size_t i = 0;
   eraseIf(path, [&](const PathPose&) { return stray[i++]; });
 }
@@ -123,12 +129,93 @@ std::vector<AccessPointReadings> byAccessPoint(const std::vector<Reading>& readi
   return all;
 }
 
+/// The data of one robot without its stray poses.
+struct RobotDrive {
+  std::vector<Reading> readings;
+  std::vector<PathPose> path;
+  StrayPoses stray;
+  PathMotion motion;
+};
+
+/// @param readings  of one robot, by stamp
+/// @param poses     of the same robot, as sortedPath returns them
+/// @param contacts  of all robots; those at stray poses of this one are removed
+RobotDrive driveOf(std::vector<Reading> readings, const std::vector<PathPose>& poses,
+                   std::vector<Contact>& contacts) {
+  RobotDrive drive;
+  drive.readings = std::move(readings);
+  drive.path = pathOf(drive.readings);
+  const std::vector<bool> stray = strayPoses(drive.path);
+  drive.stray = summaryOf(drive.path, stray);
+  const std::vector<PathPose> between = posesBetween(drive.path, stray, poses);
+  if (drive.stray.count > 0) {
+    removeStray(stray, drive.readings, contacts, drive.path);
+  }
+  drive.motion = motionOf(drive.path);
+  drive.path.insert(drive.path.end(), between.begin(), between.end());
+  drive.path = sortedPath(std::move(drive.path));
+  return drive;
+}
+
+std::int64_t earlierOf(std::size_t count, std::int64_t stamp_ns, std::size_t other_count,
+                       std::int64_t other_ns) {
+  return count == 0 ? other_ns : other_count == 0 ? stamp_ns : std::min(stamp_ns, other_ns);
+}
+
+void add(const StrayPoses& other, StrayPoses& sum) {
+  sum.first_stamp_ns = earlierOf(sum.count, sum.first_stamp_ns, other.count, other.first_stamp_ns);
+  sum.count += other.count;
+  sum.farthest_m = std::max(sum.farthest_m, other.farthest_m);
+}
+
+void add(const PathMotion& other, PathMotion& sum) {
+  sum.first_jump_stamp_ns =
+      earlierOf(sum.jumps, sum.first_jump_stamp_ns, other.jumps, other.first_jump_stamp_ns);
+  sum.jumps += other.jumps;
+  sum.farthest_jump_m = std::max(sum.farthest_jump_m, other.farthest_jump_m);
+  sum.usual_speed_m_s = std::max(sum.usual_speed_m_s, other.usual_speed_m_s);
+}
+
+/// The items of one robot, in their order.
+template <class Item>
+std::vector<Item> ofRobot(const std::string& robot, const std::vector<Item>& items) {
+  std::vector<Item> own;
+  std::copy_if(items.begin(), items.end(), std::back_inserter(own),
+               [&](const Item& item) { return item.robot == robot; });
+  return own;
+}
+
+std::set<std::string> robotsOf(const std::vector<Reading>& readings) {
+  std::set<std::string> robots;
+  const Reading* last = nullptr;
+  for (const Reading& reading : readings) {
+    if (last == nullptr || last->robot != reading.robot) {
+      robots.insert(reading.robot);
+    }
+    last = &reading;
+  }
+  return robots;
+}
+
+/// The first pose that is farther than a gap from two others, or nullptr.
+const PathPose* poseApart(const std::vector<PathPose>& path, const PathPose& a, const PathPose& b,
+                          double max_gap_m) {
+  const auto found = std::find_if(path.begin(), path.end(), [&](const PathPose& pose) {
+    return (pose.antenna_in_map - a.antenna_in_map).norm() > max_gap_m &&
+           (pose.antenna_in_map - b.antenna_in_map).norm() > max_gap_m;
+  });
+  return found == path.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
 void removeDrivenOver(const std::vector<PathPose>& path, double within_m, double max_gap_m,
                       std::vector<Contact>& contacts) {
   eraseIf(contacts, [&](const Contact& contact) {
-    for (std::size_t i = path.size(); i > 1 && path[i - 2].stamp_ns > contact.stamp_ns; --i) {
+    for (std::size_t i = path.size(); i > 1; --i) {
+      if (path[i - 2].stamp_ns <= contact.stamp_ns || path[i - 2].robot != path[i - 1].robot) {
+        continue;
+      }
       const Position& from = path[i - 2].antenna_in_map;
       const Position& to = path[i - 1].antenna_in_map;
       if ((to - from).norm() <= max_gap_m &&
@@ -174,22 +261,29 @@ void removeRepeated(std::vector<AccessPointReadings>& readings) {
   }
 }
 
-std::vector<Position> positionsOf(const std::vector<PathPose>& path) {
+std::vector<Position> positionsOf(const std::vector<PathPose>& path, double max_gap_m) {
   std::vector<Position> positions;
   positions.reserve(path.size());
-  for (const PathPose& pose : path) {
-    positions.push_back(pose.antenna_in_map);
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (i > 0 && path[i].robot != path[i - 1].robot) {
+      const PathPose* apart = poseApart(path, path[i - 1], path[i], max_gap_m);
+      if (apart != nullptr) {
+        positions.push_back(apart->antenna_in_map);
+      }
+    }
+    positions.push_back(path[i].antenna_in_map);
   }
   return positions;
 }
 
 std::vector<Reading> sortedByStamp(std::vector<Reading> readings) {
   const auto full_order = [](const Reading& r) {
-    return std::make_tuple(r.stamp_ns, r.bssid, -r.rssi_dbm, r.antenna_in_map.x(),
-                           r.antenna_in_map.y());
+    return std::make_tuple(r.stamp_ns, r.bssid, std::cref(r.robot), -r.rssi_dbm,
+                           r.antenna_in_map.x(), r.antenna_in_map.y());
   };
-  std::sort(readings.begin(), readings.end(),
-            [&](const Reading& a, const Reading& b) { return full_order(a) < full_order(b); });
+  std::sort(readings.begin(), readings.end(), [&](const Reading& a, const Reading& b) {
+    return a.stamp_ns != b.stamp_ns ? a.stamp_ns < b.stamp_ns : full_order(a) < full_order(b);
+  });
   return readings;
 }
 
@@ -205,17 +299,17 @@ Inliers withoutStrayPoses(std::vector<Reading> sorted, std::vector<Contact> cont
   inliers.stamped_alike = countStampedAlike(sorted);
   std::vector<Reading> readings = strongestOfEachStamp(std::move(sorted));
   inliers.contacts = std::move(contacts);
-  inliers.path = pathOf(readings);
-  const std::vector<bool> stray = strayPoses(inliers.path);
-  inliers.stray = summaryOf(inliers.path, stray);
-  const std::vector<PathPose> between = posesBetween(inliers.path, stray, sortedPath(poses));
-  if (inliers.stray.count > 0) {
-    removeStray(stray, readings, inliers.contacts, inliers.path);
+  const std::vector<PathPose> sorted_poses = sortedPath(poses);
+  std::vector<Reading> used;
+  for (const std::string& robot : robotsOf(readings)) {
+    RobotDrive drive =
+        driveOf(ofRobot(robot, readings), ofRobot(robot, sorted_poses), inliers.contacts);
+    add(drive.stray, inliers.stray);
+    add(drive.motion, inliers.motion);
+    std::move(drive.readings.begin(), drive.readings.end(), std::back_inserter(used));
+    std::move(drive.path.begin(), drive.path.end(), std::back_inserter(inliers.path));
   }
-  inliers.motion = motionOf(inliers.path);
-  inliers.path.insert(inliers.path.end(), between.begin(), between.end());
-  inliers.path = sortedPath(std::move(inliers.path));
-  inliers.readings = byAccessPoint(readings, inliers.path, index_of);
+  inliers.readings = byAccessPoint(used, inliers.path, index_of);
   return inliers;
 }
 

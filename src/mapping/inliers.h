@@ -9,7 +9,7 @@
 
 namespace sfw {
 
-/// The readings of one access point in the order of stamps.
+/// The readings of one access point: robot by robot, in the order of stamps.
 struct AccessPointReadings {
   std::vector<Sample> samples;
   std::vector<std::size_t> poses;  ///< index of each sample's pose in the path
@@ -17,7 +17,7 @@ struct AccessPointReadings {
 
 /// The data of a map: all inserted data without stray poses and repeated readings.
 struct Inliers {
-  std::vector<PathPose> path;                 ///< every pose once, in the order driven
+  std::vector<PathPose> path;                 ///< every pose once, as sortedPath orders them
   std::vector<AccessPointReadings> readings;  ///< by access point, in the order of the table
   std::vector<Contact> contacts;
   StrayPoses stray = {};
@@ -26,7 +26,7 @@ struct Inliers {
 };
 
 /// Removes the readings and contacts at stray poses, and all but the strongest reading of each
-/// radio at each stamp.
+/// radio at each stamp. Each robot has a path of its own.
 /// @param sorted    all readings, as sortedByStamp returns them
 /// @param index_of  the index of each access point in the table; readings of others only add poses
 /// @param poses     of the path between readings, in any order; posesBetween selects from them
@@ -54,12 +54,16 @@ void removeSentinels(const std::vector<SentinelFinding>& sentinels,
 void removeRepeated(std::vector<AccessPointReadings>& readings);
 
 /// The antenna positions of a path [m], map frame, in its order.
-std::vector<Position> positionsOf(const std::vector<PathPose>& path);
+///
+/// The paths of two robots follow one another, and what reads positions joins those that are near.
+/// So a position of the path that is farther than `max_gap_m` from both ends stands between them,
+/// a second time. An area so small that it has no such position is driven anyway.
+std::vector<Position> positionsOf(const std::vector<PathPose>& path, double max_gap_m);
 
-/// Sorts readings by stamp and bssid, the strongest first where both are equal.
+/// Sorts readings by stamp, bssid and robot, the strongest first where all are equal.
 std::vector<Reading> sortedByStamp(std::vector<Reading> readings);
 
-/// Keeps the first reading of each radio at each stamp.
+/// Keeps the first reading of each radio by each robot at each stamp.
 /// @param sorted  as sortedByStamp returns them
 std::vector<Reading> strongestOfEachStamp(std::vector<Reading> sorted);
 

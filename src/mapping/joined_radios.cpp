@@ -19,8 +19,8 @@ std::vector<std::vector<Reading>> byStamp(const std::vector<AccessPoint>& table,
     all[i].reserve(own.samples.size());
     for (std::size_t j = 0; j < own.samples.size(); ++j) {
       const PathPose& pose = inliers.path[own.poses[j]];
-      all[i].push_back(
-          {pose.stamp_ns, pose.antenna_in_map, table[i].bssid, own.samples[j].rssi_dbm});
+      all[i].push_back({pose.stamp_ns, pose.antenna_in_map, table[i].bssid, own.samples[j].rssi_dbm,
+                        pose.robot});
     }
   }
   return all;

@@ -137,8 +137,9 @@ void Mapper::configure(const Config& config) {
 
 InsertResult Mapper::insert(const Reading& reading) { return store_->insert(reading); }
 InsertResult Mapper::insert(const Contact& contact) { return store_->insert(contact); }
-InsertResult Mapper::insertPose(std::int64_t stamp_ns, const Position& antenna_in_map) {
-  return store_->insertPose(stamp_ns, antenna_in_map);
+InsertResult Mapper::insertPose(std::int64_t stamp_ns, const Position& antenna_in_map,
+                                const std::string& robot) {
+  return store_->insertPose(stamp_ns, antenna_in_map, robot);
 }
 
 void Mapper::recordRejected(const std::string& reason, std::size_t count) {
@@ -152,7 +153,7 @@ Box Mapper::extent() const { return store_->extentOf(store_->inliers()); }
 void Mapper::growTo(const Box& extent) { store_->growTo(extent); }
 void Mapper::reset() { store_->reset(); }
 std::pair<std::size_t, std::size_t> Mapper::forget(
-    const std::function<bool(std::int64_t, const Position&)>& test) {
+    const std::function<bool(std::int64_t, const Position&, const std::string&)>& test) {
   return store_->forget(test);
 }
 const std::vector<AccessPoint>& Mapper::accessPoints() const { return store_->accessPoints(); }

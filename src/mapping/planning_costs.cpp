@@ -69,13 +69,15 @@ Mask footprintOf(const Snapshot& snapshot, double radius_m) {
 /// The direction in which the robot touched something, of length 1. Nothing without a pose, or if
 /// the contact is not beside it.
 std::optional<Position> directionOf(const Contact& contact, const std::vector<PathPose>& path) {
-  const auto after = std::lower_bound(
-      path.begin(), path.end(), contact.stamp_ns,
-      [](const PathPose& pose, std::int64_t stamp_ns) { return pose.stamp_ns < stamp_ns; });
+  const auto begin = std::partition_point(
+      path.begin(), path.end(), [&](const PathPose& pose) { return pose.robot < contact.robot; });
+  const auto end = std::partition_point(
+      begin, path.end(), [&](const PathPose& pose) { return pose.robot == contact.robot; });
+  const auto after = std::partition_point(
+      begin, end, [&](const PathPose& pose) { return pose.stamp_ns < contact.stamp_ns; });
   std::optional<Position> ahead;
   // The robot moves between two poses; it touches with its front at the one that is nearer.
-  for (auto pose = after == path.begin() ? after : after - 1; pose != path.end() && pose <= after;
-       ++pose) {
+  for (auto pose = after == begin ? after : after - 1; pose != end && pose <= after; ++pose) {
     const Position offset = contact.point_in_map - pose->antenna_in_map;
     if (!ahead || offset.squaredNorm() < ahead->squaredNorm()) {
       ahead = offset;

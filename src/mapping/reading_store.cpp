@@ -94,8 +94,10 @@ void ReadingStore::remember(const Reading& reading, InsertResult result) {
     refused_.push_back(reading);
     refused_.back().rssi_dbm = rounded(reading.rssi_dbm, kRssiSteps);
   }
-  last_stamp_ns_ = std::max(last_stamp_ns_.value_or(reading.stamp_ns), reading.stamp_ns);
-  step_back_ns_ = std::max(step_back_ns_, *last_stamp_ns_ - reading.stamp_ns);
+  std::int64_t& last_stamp_ns =
+      last_stamp_ns_.emplace(reading.robot, reading.stamp_ns).first->second;
+  last_stamp_ns = std::max(last_stamp_ns, reading.stamp_ns);
+  step_back_ns_ = std::max(step_back_ns_, last_stamp_ns - reading.stamp_ns);
 }
 
 InsertResult ReadingStore::examine(const Reading& reading) const {
@@ -117,7 +119,7 @@ InsertResult ReadingStore::accept(const Reading& reading) {
     return examined;
   }
   const Reading kept{reading.stamp_ns, rounded(reading.antenna_in_map), reading.bssid,
-                     rounded(reading.rssi_dbm, kRssiSteps)};
+                     rounded(reading.rssi_dbm, kRssiSteps), reading.robot};
   const InsertResult room = makeRoomFor(kept.antenna_in_map);
   if (room != InsertResult::kAccepted) {
     return room;
@@ -131,19 +133,20 @@ InsertResult ReadingStore::insert(const Contact& contact) {
   const bool full = contacts_.size() >= static_cast<std::size_t>(config_.max_readings);
   const InsertResult result = full ? InsertResult::kTooManyReadings : makeRoomFor(point);
   if (result == InsertResult::kAccepted) {
-    contacts_.push_back({contact.stamp_ns, point});
+    contacts_.push_back({contact.stamp_ns, point, contact.robot});
   } else {
     ++rejections_.count[result];
   }
   return result;
 }
 
-InsertResult ReadingStore::insertPose(std::int64_t stamp_ns, const Position& antenna_in_map) {
+InsertResult ReadingStore::insertPose(std::int64_t stamp_ns, const Position& antenna_in_map,
+                                      const std::string& robot) {
   const Position position = rounded(antenna_in_map);
   const bool full = poses_.size() >= static_cast<std::size_t>(config_.max_readings);
   const InsertResult result = full ? InsertResult::kTooManyReadings : makeRoomFor(position);
   if (result == InsertResult::kAccepted) {
-    poses_.push_back({stamp_ns, position, PathPose::kNoWallCount});
+    poses_.push_back({stamp_ns, position, PathPose::kNoWallCount, robot});
   }
   return result;
 }
@@ -157,13 +160,15 @@ void ReadingStore::correct(const PathCorrection& correction) {
     return;
   }
   for (Reading& reading : readings_) {
-    reading.antenna_in_map = rounded(correction.moved(reading.stamp_ns, reading.antenna_in_map));
+    reading.antenna_in_map =
+        rounded(correction.moved(reading.stamp_ns, reading.antenna_in_map, reading.robot));
   }
   for (Contact& contact : contacts_) {
-    contact.point_in_map = rounded(correction.moved(contact.stamp_ns, contact.point_in_map));
+    contact.point_in_map =
+        rounded(correction.moved(contact.stamp_ns, contact.point_in_map, contact.robot));
   }
   for (PathPose& pose : poses_) {
-    pose.antenna_in_map = rounded(correction.moved(pose.stamp_ns, pose.antenna_in_map));
+    pose.antenna_in_map = rounded(correction.moved(pose.stamp_ns, pose.antenna_in_map, pose.robot));
   }
   if (!reserveAll()) {
     dropWhatDoesNotFit();
@@ -225,19 +230,22 @@ void ReadingStore::reset() {
     eraseIf(placed, [](const AccessPoint& one) { return !one.position_known; });
     table_ = makeTable(placed);
   }
-  last_stamp_ns_.reset();
+  last_stamp_ns_.clear();
   step_back_ns_ = 0;
   frames_ = {};
 }
 
 std::pair<std::size_t, std::size_t> ReadingStore::forget(
-    const std::function<bool(std::int64_t, const Position&)>& test) {
+    const std::function<bool(std::int64_t, const Position&, const std::string&)>& test) {
   extent_.growTo(extentOf(inliers()));
   const std::size_t readings = readings_.size();
   const std::size_t contacts = contacts_.size();
-  eraseIf(readings_, [&](const Reading& one) { return test(one.stamp_ns, one.antenna_in_map); });
-  eraseIf(contacts_, [&](const Contact& one) { return test(one.stamp_ns, one.point_in_map); });
-  eraseIf(poses_, [&](const PathPose& one) { return test(one.stamp_ns, one.antenna_in_map); });
+  eraseIf(readings_,
+          [&](const Reading& one) { return test(one.stamp_ns, one.antenna_in_map, one.robot); });
+  eraseIf(contacts_,
+          [&](const Contact& one) { return test(one.stamp_ns, one.point_in_map, one.robot); });
+  eraseIf(poses_,
+          [&](const PathPose& one) { return test(one.stamp_ns, one.antenna_in_map, one.robot); });
   return {readings - readings_.size(), contacts - contacts_.size()};
 }
 

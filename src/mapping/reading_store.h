@@ -5,7 +5,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,14 +32,15 @@ class ReadingStore {
 
   InsertResult insert(const Reading& reading);
   InsertResult insert(const Contact& contact);
-  InsertResult insertPose(std::int64_t stamp_ns, const Position& antenna_in_map);
+  InsertResult insertPose(std::int64_t stamp_ns, const Position& antenna_in_map,
+                          const std::string& robot);
   void recordRejected(const std::string& reason, std::size_t count);
   void recordFrames(const FrameFinding& frames) { frames_ = frames; }
   void correct(const PathCorrection& correction);
   void growTo(const Box& extent) { extent_.growTo(extent); }
   void reset();
   std::pair<std::size_t, std::size_t> forget(
-      const std::function<bool(std::int64_t, const Position&)>& test);
+      const std::function<bool(std::int64_t, const Position&, const std::string&)>& test);
   void setAccessPoints(std::vector<AccessPoint> access_points);
 
   const std::vector<AccessPoint>& accessPoints() const { return table_->access_points; }
@@ -105,9 +105,9 @@ class ReadingStore {
   std::vector<PathPose> poses_;  // of the path between readings
   Rejections rejections_;
 
-  std::vector<Reading> refused_;               // for their signal or position; the first ones
-  std::map<Bssid, std::size_t> heard_;         // of the table
-  std::optional<std::int64_t> last_stamp_ns_;  // the latest one so far
+  std::vector<Reading> refused_;        // for their signal or position; the first ones
+  std::map<Bssid, std::size_t> heard_;  // of the table
+  std::map<std::string, std::int64_t> last_stamp_ns_;  // the latest one so far of each robot
   std::int64_t step_back_ns_ = 0;
   FrameFinding frames_;
 };

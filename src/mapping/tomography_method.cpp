@@ -60,7 +60,7 @@ class TomographyMethod : public MapMethod {
   MethodResult infer(const GridGeometry& geometry, const Inliers& inliers,
                      const std::vector<AccessPointSummary>& access_points, UseRadio use_radio,
                      const std::atomic<bool>& stop) const override {
-    DriveData drive{positionsOf(inliers.path), {}, inliers.contacts};
+    DriveData drive{positionsOf(inliers.path, config_.path.max_gap_m), {}, inliers.contacts};
     std::vector<std::size_t> used;  // index of each access point in the drive
     for (std::size_t i = 0; i < access_points.size(); ++i) {
       const std::vector<Sample>& samples = inliers.readings[i].samples;

@@ -120,7 +120,10 @@ std::string reportJson(const Snapshot& snapshot, const Config& config,
                        const DataFindings& findings) {
   double length_m = 0.0;
   for (std::size_t i = 1; i < snapshot.path.size(); ++i) {
-    length_m += (snapshot.path[i].antenna_in_map - snapshot.path[i - 1].antenna_in_map).norm();
+    length_m +=
+        snapshot.path[i].robot != snapshot.path[i - 1].robot
+            ? 0.0
+            : (snapshot.path[i].antenna_in_map - snapshot.path[i - 1].antenna_in_map).norm();
   }
   Json report;
   report["version"] = version();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <tuple>
 
 #include "base/constants.h"
@@ -19,9 +20,10 @@ constexpr double kMostTurn = 0.1;   // [rad/m]
 constexpr std::int64_t kOneJump = 1000000000;  // [ns]
 
 auto order(const OdometryCorrection& correction) {
-  return std::make_tuple(correction.stamp_ns, correction.is_between, correction.antenna_in_map.x(),
-                         correction.antenna_in_map.y(), correction.odom_in_map.x(),
-                         correction.odom_in_map.y(), correction.odom_yaw_rad);
+  return std::make_tuple(std::cref(correction.robot), correction.stamp_ns, correction.is_between,
+                         correction.antenna_in_map.x(), correction.antenna_in_map.y(),
+                         correction.odom_in_map.x(), correction.odom_in_map.y(),
+                         correction.odom_yaw_rad);
 }
 
 Position turned(double angle_rad, const Position& vector) {
@@ -125,11 +127,13 @@ class SpreadPath {
 
 }  // namespace
 
-Position PathCorrection::moved(std::int64_t stamp_ns, const Position& point_in_map) const {
-  const auto found =
-      std::lower_bound(moves_.begin(), moves_.end(), stamp_ns,
-                       [](const Move& move, std::int64_t stamp) { return move.stamp_ns < stamp; });
-  if (found == moves_.end() || found->stamp_ns != stamp_ns) {
+Position PathCorrection::moved(std::int64_t stamp_ns, const Position& point_in_map,
+                               const std::string& robot) const {
+  const auto found = std::lower_bound(moves_.begin(), moves_.end(), std::tie(robot, stamp_ns),
+                                      [](const Move& move, const auto& wanted) {
+                                        return std::tie(move.robot, move.stamp_ns) < wanted;
+                                      });
+  if (found == moves_.end() || found->robot != robot || found->stamp_ns != stamp_ns) {
     return point_in_map;
   }
   return found->to + turned(found->turn_rad, point_in_map - found->from);
@@ -169,11 +173,24 @@ PathCorrection PathCorrector::correction() const {
       [](const OdometryCorrection& a, const OdometryCorrection& b) { return order(a) < order(b); });
   corrections.erase(std::unique(corrections.begin(), corrections.end(),
                                 [](const OdometryCorrection& a, const OdometryCorrection& b) {
-                                  return a.stamp_ns == b.stamp_ns;
+                                  return a.robot == b.robot && a.stamp_ns == b.stamp_ns;
                                 }),
                     corrections.end());
+  PathCorrection result;
+  for (auto begin = corrections.cbegin(); begin != corrections.cend();) {
+    const auto end = std::find_if(begin, corrections.cend(), [&](const OdometryCorrection& one) {
+      return one.robot != begin->robot;
+    });
+    addMoves({begin, end}, result);
+    begin = end;
+  }
+  return result;
+}
+
+void PathCorrector::addMoves(const std::vector<OdometryCorrection>& corrections,
+                             PathCorrection& result) const {
   if (!areOfOdometry(corrections, tolerance_)) {
-    return {};
+    return;
   }
   SpreadPath path(corrections);
   std::vector<OdometryCorrection> readings;
@@ -194,14 +211,13 @@ PathCorrection PathCorrector::correction() const {
     since_m = path.wayAt(index[end]);
     i = end;
   }
-  PathCorrection result;
   for (std::size_t i = 0; i < corrections.size(); ++i) {
     const Position& from = corrections[i].antenna_in_map;
     if (path.positionAt(i) != from || path.turnAt(i) != 0.0) {
-      result.moves_.push_back({corrections[i].stamp_ns, from, path.positionAt(i), path.turnAt(i)});
+      result.moves_.push_back({corrections[i].robot, corrections[i].stamp_ns, from,
+                               path.positionAt(i), path.turnAt(i)});
     }
   }
-  return result;
 }
 
 }  // namespace sfw

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <tuple>
 
 #include "path/stray_poses.h"
@@ -10,12 +11,19 @@ namespace sfw {
 namespace {
 
 auto order(const PathPose& pose) {
-  return std::make_tuple(pose.stamp_ns, pose.antenna_in_map.x(), pose.antenna_in_map.y());
+  return std::make_tuple(std::cref(pose.robot), pose.stamp_ns, pose.antenna_in_map.x(),
+                         pose.antenna_in_map.y());
 }
 
 }  // namespace
 
-bool isEarlier(const PathPose& a, const PathPose& b) { return order(a) < order(b); }
+bool isEarlier(const PathPose& a, const PathPose& b) {
+  // Most poses differ in these two; poses are compared a lot.
+  const int robots = a.robot.compare(b.robot);
+  return robots != 0                ? robots < 0
+         : a.stamp_ns != b.stamp_ns ? a.stamp_ns < b.stamp_ns
+                                    : order(a) < order(b);
+}
 
 std::vector<PathPose> sortedPath(std::vector<PathPose> poses) {
   std::sort(poses.begin(), poses.end(), isEarlier);

@@ -50,7 +50,7 @@ DriveData dataOf(const TrainingDrive& drive) {
     index[drive.access_points[i].bssid] = i;
   }
   const Inliers inliers = withoutStrayPoses(sortedByStamp(drive.readings), {}, index);
-  DriveData data{positionsOf(inliers.path), {}, {}};
+  DriveData data{positionsOf(inliers.path, Config().path.max_gap_m), {}, {}};
   for (std::size_t i = 0; i < drive.access_points.size(); ++i) {
     if (!inliers.readings[i].samples.empty()) {
       const AccessPoint& access_point = drive.access_points[i];

@@ -227,5 +227,44 @@ TEST_F(ReadingIo, RefusesContactsThatCannotBeUsed) {
             lacking + ": line 1: the column 'y' is missing; the file has 'stamp', 'x'");
 }
 
+TEST_F(ReadingIo, ReadsBackTheRobotOfEachRow) {
+  const Bssid bssid = *Bssid::parse("02:00:00:00:00:01");
+  const std::string awkward = "robot \"1\", old";
+  const std::vector<Reading> readings{{1000, {1.0, 2.0}, bssid, -50.0, awkward},
+                                      {2000, {1.0, 2.0}, bssid, -50.0, ""}};
+  const std::vector<Reading> read = readText(readingsCsv(readings)).readings;
+  ASSERT_EQ(read.size(), 2U);
+  EXPECT_EQ(read[0].robot, awkward);
+  EXPECT_EQ(read[1].robot, "");
+  const std::vector<Contact> contacts =
+      readContacts(write("contacts.csv", contactsCsv({{1000, {1.0, 2.0}, awkward}})));
+  EXPECT_EQ(contacts.at(0).robot, awkward);
+  const std::vector<PathPose> path =
+      readPath(write("path.csv", pathCsv({{1000, {1.0, 2.0}, PathPose::kNoWallCount, awkward}})));
+  EXPECT_EQ(path.at(0).robot, awkward);
+}
+
+TEST_F(ReadingIo, WritesNoColumnForTheOnlyRobot) {
+  const Bssid bssid = *Bssid::parse("02:00:00:00:00:01");
+  EXPECT_EQ(readingsCsv({{1000000000, {1.0, 2.0}, bssid, -50.0}}),
+            kHeader + "1.000000000,1.0000,2.0000,02:00:00:00:00:01,-50.00\n");
+  EXPECT_EQ(contactsCsv({{1000000000, {1.0, 2.0}}}), "stamp,x,y\n1.000000000,1.0000,2.0000\n");
+  EXPECT_EQ(pathCsv({{1000000000, {1.0, 2.0}}}), "stamp,x,y\n1.000000000,1.0000,2.0000\n");
+}
+
+TEST_F(ReadingIo, PlacesEachReadingOnThePathOfItsRobot) {
+  const std::string path =
+      write("path.csv", "stamp,x,y,robot\n0,0,0,a\n0,0,5,b\n2,2,0,a\n2,2,5,b\n");
+  const ReadingFile file =
+      readReadings(write("scans.csv",
+                         "stamp,bssid,rssi_dbm,robot\n1,02:00:00:00:00:01,-40,a\n"
+                         "1,02:00:00:00:00:01,-40,b\n1,02:00:00:00:00:01,-40,c\n"),
+                   path);
+  ASSERT_EQ(file.readings.size(), 2U);
+  EXPECT_EQ(file.readings[0].antenna_in_map, Position(1.0, 0.0));
+  EXPECT_EQ(file.readings[1].antenna_in_map, Position(1.0, 5.0));
+  EXPECT_EQ(file.skipped.at("the path has no pose of its robot").first, "line 4: robot 'c'");
+}
+
 }  // namespace
 }  // namespace sfw

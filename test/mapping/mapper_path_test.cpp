@@ -73,7 +73,8 @@ TEST(MapperPath, IsCorrectedWithTheReadings) {
 TEST(MapperPath, IsForgottenAndReset) {
   Mapper mapper = drivenPast(60);
   insertPoses(mapper);
-  mapper.forget([](std::int64_t, const Position& point) { return point.x() > 3.9; });
+  mapper.forget(
+      [](std::int64_t, const Position& point, const std::string&) { return point.x() > 3.9; });
   EXPECT_EQ(mapper.poses().size(), 59U);
   mapper.reset();
   EXPECT_TRUE(mapper.poses().empty());

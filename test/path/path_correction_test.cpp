@@ -265,5 +265,27 @@ TEST(CorrectedMapper, MovesReadingsAndContactsAndKeepsTheGeometry) {
   EXPECT_EQ(grown.geometry().origin(), driven.geometry().origin());
 }
 
+TEST(PathCorrection, MovesEachRobotAsIfItWereAlone) {
+  const Drive a = driftingDrive(0.02, 0.0, 500, 600), b = driftingDrive(-0.03, 0.001, 300, 600);
+  std::vector<OdometryCorrection> both;  // at the same stamps
+  for (std::size_t i = 0; i < a.fixes.size(); ++i) {
+    both.push_back(a.fixes[i]);
+    both.back().robot = "a";
+    both.push_back(b.fixes[i]);
+    both.back().robot = "b";
+  }
+  const PathCorrection together = correctionOf(both);
+  const PathCorrection alone_a = correctionOf(a.fixes), alone_b = correctionOf(b.fixes);
+  EXPECT_FALSE(alone_a.empty());
+  for (std::size_t i = 0; i < a.fixes.size(); ++i) {
+    const OdometryCorrection &of_a = a.fixes[i], &of_b = b.fixes[i];
+    EXPECT_EQ(together.moved(of_a.stamp_ns, of_a.antenna_in_map, "a"),
+              alone_a.moved(of_a.stamp_ns, of_a.antenna_in_map));
+    EXPECT_EQ(together.moved(of_b.stamp_ns, of_b.antenna_in_map, "b"),
+              alone_b.moved(of_b.stamp_ns, of_b.antenna_in_map));
+    EXPECT_EQ(together.moved(of_b.stamp_ns, of_b.antenna_in_map), of_b.antenna_in_map);
+  }
+}
+
 }  // namespace
 }  // namespace sfw

@@ -219,6 +219,33 @@ TEST(InputMessages, TellOfALeadingSlashInTheFrameOfAScanAndTakeItsReadings) {
   EXPECT_EQ(convertReadings(anyMessageOf(scan), kContext).problem, "a BSSID is malformed");
 }
 
+TEST(InputMessages, TheFrameOfAScanNamesItsRobot) {
+  InputContext context = kContext;
+  context.antenna_frames = {"robot1/wifi", "robot2/wifi"};
+  structure_from_wifi::WifiScan scan;
+  scan.readings = {apReading("02:00:00:00:00:01", -40.0F, 0.0)};
+  const auto robotIn = [&](const std::string& frame) {
+    scan.header.frame_id = frame;
+    return convertReadings(anyMessageOf(scan), context).observations.at(0).robot;
+  };
+  EXPECT_EQ(robotIn("robot1/wifi"), "robot1/wifi");
+  EXPECT_EQ(robotIn("/robot2/wifi"), "robot2/wifi");
+  EXPECT_EQ(robotIn(""), "robot1/wifi");
+  wireless_msgs::Connection without_header;
+  without_header.bssid = "02:00:00:00:00:01";
+  without_header.signal_level = -50;
+  EXPECT_EQ(convertReadings(anyMessageOf(without_header), context).observations.at(0).robot,
+            "robot1/wifi");
+  scan.header.frame_id = "robot3/wifi";
+  const Conversion strange = convertReadings(anyMessageOf(scan), context);
+  EXPECT_TRUE(strange.observations.empty());
+  EXPECT_EQ(strange.rejected, 1U);
+  EXPECT_EQ(strange.problem, "the frame of a scan, 'robot3/wifi', is none of ros/antenna_frames");
+  context.antenna_frames = {"robot1/wifi"};
+  EXPECT_EQ(convertReadings(anyMessageOf(scan), context).observations.at(0).robot, "")
+      << "one robot has any frame";
+}
+
 geometry_msgs::TransformStamped mapFromAntenna(double seconds, double x) {
   geometry_msgs::TransformStamped transform;
   transform.header.stamp = ros::Time(seconds);

@@ -43,6 +43,17 @@ TEST(PoseWatch, DropsAJumpThereAndBackOnly) {
   EXPECT_EQ(watch.jumped(), 1U);
 }
 
+TEST(PoseWatch, WatchesEachRobotByItself) {
+  PoseWatch watch(0.35, 1.0);
+  for (int i = 0; i < 5; ++i) {
+    LocatedObservation other = at(i, 50.0, 0.0, kPi);
+    other.readings[0].robot = "other";
+    EXPECT_TRUE(watch.isUsable(at(i, 0.0)));
+    EXPECT_TRUE(watch.isUsable(other));
+  }
+  EXPECT_EQ(watch.tilted(), 0U);
+}
+
 TEST(PoseWatch, BelievesAJumpWhenTheRobotCouldHaveGotThere) {
   PoseWatch watch(0.35, 1.0);
   EXPECT_TRUE(watch.isUsable(at(0.0, 0.0)));

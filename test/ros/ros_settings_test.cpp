@@ -78,6 +78,20 @@ TEST(RosSettings, FramesAndTheDirectoryHaveNames) {
   EXPECT_EQ(brokenBy("ros/save_directory", std::string()), Names{"ros/save_directory"});
 }
 
+TEST(RosSettings, SeveralRobotsHaveAFrameEach) {
+  RosSettings settings;
+  EXPECT_EQ(antennaFrames(settings), Names{"base_link"});
+  settings.antenna_frames = " robot1/wifi, /robot2/wifi ";
+  EXPECT_EQ(antennaFrames(settings), (Names{"robot1/wifi", "robot2/wifi"}));
+  EXPECT_EQ(validate(settings), Names());
+  settings.odom_frame = "map";
+  EXPECT_EQ(validate(settings), Names()) << "no correction of the past";
+  settings.odom_frame = "robot1/odom";
+  EXPECT_EQ(validate(settings).size(), 1U);
+  EXPECT_EQ(brokenBy("ros/antenna_frames", std::string("robot1/wifi robot1/wifi")),
+            (Names{"ros/antenna_frames", "ros/antenna_frames"}));
+}
+
 /// Names and values of all settings, as text.
 Names described(const MappingSettings& settings) {
   Names described;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <atomic>
 #include <iostream>
 #include <memory>
@@ -225,6 +226,8 @@ EvaluationInput inputFor(const EvaluateOptions& options, const std::vector<Readi
 
 void run(const EvaluateOptions& options) {
   std::vector<Reading> readings = readWithWarnings(options.readings, options.path).readings;
+  std::stable_sort(readings.begin(), readings.end(),  // each robot has a path of its own
+                   [](const Reading& a, const Reading& b) { return a.robot < b.robot; });
   const Position offset = offsetOf(readings);  // no metric depends on it
   subtract(offset, readings);
   EvaluationInput input = inputFor(options, readings, offset);

@@ -14,17 +14,20 @@
 #include "ros/mapping/floors.h"
 #include "ros/mapping/insertion.h"
 #include "ros/mapping/odometry_frame.h"
-#include "ros/mapping/path_sampler.h"
+#include "ros/mapping/robots.h"
 #include "structure_from_wifi/input_error.h"
 
 namespace sfw {
 namespace {
 
 /// The input that has a topic in the bag, or nullptr.
+/// @param topic  without a leading slash
 const Input* inputOf(const std::string& topic, const BagTopics& topics) {
   const auto found = std::find_if(kInputs.begin(), kInputs.end(), [&](const Input& input) {
     const auto recorded = topics.find(input.topic);
-    return recorded != topics.end() && plainTopic(recorded->second) == plainTopic(topic);
+    return recorded != topics.end() &&
+           std::any_of(recorded->second.begin(), recorded->second.end(),
+                       [&](const std::string& name) { return plainTopic(name) == topic; });
   });
   return found == kInputs.end() ? nullptr : &*found;
 }
@@ -35,9 +38,13 @@ std::vector<std::string> radioTopics(const std::vector<std::string>& recorded,
   std::vector<std::string> found;
   for (const Input& input : kInputs) {
     const auto named = topics.find(input.topic);
-    const std::string topic = named == topics.end() ? "" : plainTopic(named->second);
-    if (input.is_radio && std::find(recorded.begin(), recorded.end(), topic) != recorded.end()) {
-      found.push_back(topic);
+    if (!input.is_radio || named == topics.end()) {
+      continue;
+    }
+    for (const std::string& name : named->second) {
+      if (std::find(recorded.begin(), recorded.end(), plainTopic(name)) != recorded.end()) {
+        found.push_back(plainTopic(name));
+      }
     }
   }
   return found;
@@ -46,15 +53,14 @@ std::vector<std::string> radioTopics(const std::vector<std::string>& recorded,
 /// Inserts the observations of messages into a mapper.
 class Insertion {
  public:
-  /// @param span  of the transforms from antenna to map
+  /// @param spans  of each robot's transforms from antenna to map
   Insertion(const MappingSettings& settings, const tf2::BufferCore& transforms,
-            const std::optional<TransformSpan>& span, Mapper& mapper)
-      : ros_(settings.ros),
-        transforms_(transforms),
-        span_(span),
+            const std::vector<std::optional<TransformSpan>>& spans, Mapper& mapper)
+      : transforms_(transforms),
+        spans_(spans),
         mapper_(mapper),
         corrector_(jumpTolerance(settings.ros)),
-        sampler_(settings.ros) {}
+        robots_(settings.ros) {}
 
   void insert(const Conversion& conversion, BagReading& reading) {
     if (conversion.rejected > 0) {
@@ -63,15 +69,15 @@ class Insertion {
     for (const Observation& observation : conversion.observations) {
       ++reading.observations;
       std::string tf_error;
-      auto located = locate(observation, ros_, transforms_, tf_error);
+      auto located = robots_.locate(observation, transforms_, tf_error);
       if (!located) {
-        countUnlocated(observation.stamp, tf_error, reading);
+        countUnlocated(observation, tf_error, reading);
         continue;
       }
       if (!located->readings.empty()) {
         floors_.observe(located->sensor_height_m);
-        located->way = sampler_.extendTo(located->readings.front().stamp_ns, transforms_);
       }
+      robots_.sampleWay(transforms_, *located);
       sfw::insert(*located, mapper_, corrector_);
     }
   }
@@ -80,33 +86,48 @@ class Insertion {
   void finish(FrameFinding frames) {
     frames.floors_m = floors_.heights();
     mapper_.recordFrames(frames);
-    if (const auto latest = latestCorrection(ros_, transforms_)) {
-      corrector_.insert(*latest);
+    for (const OdometryCorrection& latest : robots_.latestCorrections(transforms_)) {
+      corrector_.insert(latest);
     }
     mapper_.correct(corrector_.correction());
   }
 
  private:
-  void countUnlocated(const ros::Time& stamp, const std::string& tf_error,
+  void countUnlocated(const Observation& observation, const std::string& tf_error,
                       BagReading& reading) const {
-    if (span_ && stamp < span_->first_stamp) {
-      ++reading.before_transforms;
-    } else if (span_ && stamp > span_->last_stamp) {
-      ++reading.after_transforms;
+    const std::size_t robot = robots_.robotOf(observation, transforms_);
+    const std::optional<TransformSpan>& span = spans_[robot];
+    UnlocatedCount& count = reading.unlocated[robot];
+    if (span && observation.stamp < span->first_stamp) {
+      ++count.before_transforms;
+    } else if (span && observation.stamp > span->last_stamp) {
+      ++count.after_transforms;
     } else {
-      ++reading.unlocated;
-      reading.tf_error = tf_error;
+      ++count.others;
+      count.tf_error = tf_error;
     }
   }
 
-  const RosSettings& ros_;
   const tf2::BufferCore& transforms_;
-  const std::optional<TransformSpan> span_;
+  const std::vector<std::optional<TransformSpan>> spans_;
   Mapper& mapper_;
   PathCorrector corrector_;
-  PathSampler sampler_;
+  Robots robots_;
   Floors floors_;
 };
+
+/// The count of a robot before any observation.
+UnlocatedCount countFor(const RosSettings& robot, const std::optional<TransformSpan>& span,
+                        const ros::Time& begin, bool are_frames_connected) {
+  UnlocatedCount count;
+  count.antenna_frame = robot.antenna_frame;
+  count.are_frames_connected = are_frames_connected;
+  if (span) {  // in double, since a ros::Duration cannot hold any difference
+    count.transforms_from_s = span->first_received.toSec() - begin.toSec();
+    count.transforms_until_s = span->last_received.toSec() - begin.toSec();
+  }
+  return count;
+}
 
 BagReading read(const BagFiles& bags, const std::string& tf_topic, const BagTopics& topics,
                 const MappingSettings& settings, Mapper& mapper) {
@@ -123,23 +144,24 @@ BagReading read(const BagFiles& bags, const std::string& tf_topic, const BagTopi
   }
   BagReading reading;
   transforms._getFrameStrings(reading.frames);
-  reading.odom_frame = odometryFrame(settings.ros, transforms);
   reading.infinite_transforms = loaded.infinite;
-  const std::vector<std::string> way =
-      framesBetween(settings.ros.map_frame, settings.ros.antenna_frame, transforms);
-  reading.are_frames_connected = !way.empty();
-  const std::optional<TransformSpan> span = loaded.times.spanOf(way);
-  if (span) {
-    reading.transforms_from_s = span->first_received.toSec() - view.getBeginTime().toSec();
-    reading.transforms_until_s = span->last_received.toSec() - view.getBeginTime().toSec();
+  const Robots robots(settings.ros);
+  reading.odom_frame = odometryFrame(robots.settings().front(), transforms);
+  std::vector<std::optional<TransformSpan>> spans;
+  for (const RosSettings& robot : robots.settings()) {
+    const std::vector<std::string> way =
+        framesBetween(robot.map_frame, robot.antenna_frame, transforms);
+    spans.push_back(loaded.times.spanOf(way));
+    reading.unlocated.push_back(countFor(robot, spans.back(), view.getBeginTime(), !way.empty()));
   }
-  Insertion insertion(settings, transforms, span, mapper);
+  Insertion insertion(settings, transforms, spans, mapper);
   InputContext context{{},
-                       settings.ros.antenna_frame,
+                       robots.settings().front().antenna_frame,
                        settings.config.path.footprint_radius_m,
-                       toScanFormat(settings.scan)};
+                       toScanFormat(settings.scan),
+                       antennaFrames(settings.ros)};
   for (const rosbag::MessageInstance& message : view) {
-    const Input* input = inputOf(message.getTopic(), topics);
+    const Input* input = inputOf(plainTopic(message.getTopic()), topics);
     if (input == nullptr) {
       continue;
     }
@@ -150,7 +172,11 @@ BagReading read(const BagFiles& bags, const std::string& tf_topic, const BagTopi
     }
     insertion.insert(conversion, reading);
   }
-  insertion.finish(watch.finding(settings.ros.antenna_frame));
+  FrameFinding frames;
+  for (const RosSettings& robot : robots.settings()) {
+    frames = frames.published_twice.empty() ? watch.finding(robot.antenna_frame) : frames;
+  }
+  insertion.finish(frames);
   return reading;
 }
 
@@ -160,7 +186,9 @@ BagReading read(const BagFiles& bags, const std::string& tf_topic, const BagTopi
   std::string options;
   for (const Input& input : kInputs) {
     if (input.is_radio) {
-      names += (names.empty() ? "" : " or ") + topics.at(input.topic);
+      for (const std::string& topic : topics.at(input.topic)) {
+        names += (names.empty() ? "" : " or ") + topic;
+      }
       options += (options.empty() ? "--" : " and --") + std::string(input.bag_option);
     }
   }
@@ -177,7 +205,7 @@ BagReading read(const BagFiles& bags, const std::string& tf_topic, const BagTopi
 BagTopics defaultBagTopics() {
   BagTopics topics;
   for (const Input& input : kInputs) {
-    topics[input.topic] = "/" + std::string(input.topic);
+    topics[input.topic] = {"/" + std::string(input.topic)};
   }
   return topics;
 }

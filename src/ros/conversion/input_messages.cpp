@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "files/text.h"
 #include "ros/conversion/cloud_points.h"
 #include "ros/conversion/message_layout.h"
 #include "ros/conversion/message_values.h"
@@ -93,9 +94,31 @@ Conversion convertContactPoints(const sensor_msgs::PointCloud2& cloud,
   }
 }
 
+Conversion withRobot(Conversion conversion, const std::vector<std::string>& antenna_frames) {
+  constexpr std::size_t kLongest = 100;
+  if (antenna_frames.size() < 2 || conversion.observations.empty()) {
+    return conversion;
+  }
+  const auto robot = conversion.frame.empty() ? antenna_frames.begin()
+                                              : std::find(antenna_frames.begin(),
+                                                          antenna_frames.end(), conversion.frame);
+  if (robot == antenna_frames.end()) {
+    conversion.rejected += conversion.observations.size();
+    conversion.observations.clear();
+    conversion.problem = "the frame of a scan, '" + printable(conversion.frame, kLongest) +
+                         "', is none of ros/antenna_frames";
+    return conversion;
+  }
+  for (Observation& observation : conversion.observations) {
+    observation.robot = *robot;
+  }
+  return conversion;
+}
+
 Conversion convertReadings(const AnyMessage& message, const InputContext& context) {
   try {
-    return readScan(message, context.scan_format, context.received);
+    return withRobot(readScan(message, context.scan_format, context.received),
+                     context.antenna_frames);
   } catch (const std::exception& error) {
     return rejectDamaged(message, error);
   }

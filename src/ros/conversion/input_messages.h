@@ -6,6 +6,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "ros/conversion/any_message.h"
 #include "ros/conversion/observation.h"
@@ -18,7 +19,8 @@ struct InputContext {
   ros::Time received;  ///< replaces a missing stamp
   std::string antenna_frame;
   double footprint_radius_m = 0.0;
-  ScanFormat scan_format = {};  ///< of the settings
+  ScanFormat scan_format = {};                   ///< of the settings
+  std::vector<std::string> antenna_frames = {};  ///< of all robots, if there are several
 };
 
 /// Converts a bumper without direction to a contact ahead of the antenna, at the robot's rim.
@@ -27,6 +29,11 @@ Conversion convertContact(const std_msgs::Bool& contact, const InputContext& con
 /// Converts the points of a bumper's cloud within 2 m. Nodes with such clouds publish distant
 /// points for bumpers that are not pressed.
 Conversion convertContactPoints(const sensor_msgs::PointCloud2& cloud, const InputContext& context);
+
+/// Names the robot of a scan: the one whose antenna frame is that of the scan. Scans without a
+/// frame belong to the first robot. All readings of a scan with another frame are rejected.
+/// @param antenna_frames  of all robots; with fewer than two, nothing changes
+Conversion withRobot(Conversion conversion, const std::vector<std::string>& antenna_frames);
 
 /// Convert a message of any type. One of a type that they cannot read is rejected, and the problem
 /// names its type. They never throw.

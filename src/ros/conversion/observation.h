@@ -29,6 +29,7 @@ struct UnlocatedContacts {
 struct Observation {
   ros::Time stamp;
   std::variant<UnlocatedReading, UnlocatedContacts> content;
+  std::string robot = {};  ///< antenna frame of the robot, if a scan of several robots names it
 };
 
 /// Whether the mapper can use an observation. It counts the others, and tells why.
@@ -42,6 +43,7 @@ struct Conversion {
   std::vector<Observation> observations = {};
   std::size_t rejected = 0;  ///< readings, clouds or whole messages left out
   std::string problem = {};  ///< of the message, in words; empty if there is none
+  std::string frame = {};    ///< of a scan, without a leading slash; empty if it has none
 };
 
 }  // namespace sfw

@@ -1,6 +1,8 @@
 #include "ros/conversion/ros_settings.h"
 
 #include <algorithm>
+#include <iterator>
+#include <sstream>
 #include <type_traits>
 
 #include "base/validation.h"
@@ -9,6 +11,12 @@
 
 namespace sfw {
 namespace {
+
+std::vector<std::string> framesIn(std::string text) {
+  std::replace(text.begin(), text.end(), ',', ' ');
+  std::istringstream words(text);
+  return {std::istream_iterator<std::string>(words), {}};
+}
 
 /// Takes the leading slashes of tf's first version from the frames, which tf2 refuses.
 void stripSlashes(RosSettings& settings, std::vector<std::string>& warnings) {
@@ -22,6 +30,28 @@ void stripSlashes(RosSettings& settings, std::vector<std::string>& warnings) {
       }
     }
   });
+  for (const std::string& frame : framesIn(settings.antenna_frames)) {
+    if (const std::string problem = slashProblem(frame); !problem.empty()) {
+      warnings.push_back("ros/antenna_frames: " + problem);
+    }
+  }
+}
+
+void checkAntennaFrames(const RosSettings& settings, Problems& problems) {
+  const std::vector<std::string> frames = antennaFrames(settings);
+  if (frames.size() < 2) {
+    problems.frame(settings.antenna_frames.empty() ? "ros/antenna_frame" : "ros/antenna_frames",
+                   frames.front());
+    return;
+  }
+  for (const std::string& frame : frames) {
+    problems.frame("ros/antenna_frames", frame);
+    problems.require(std::count(frames.begin(), frames.end(), frame) == 1, "ros/antenna_frames",
+                     "'" + settings.antenna_frames + "'", "frames that differ");
+  }
+  problems.require(settings.odom_frame.empty() || settings.odom_frame == settings.map_frame,
+                   "ros/odom_frame", "'" + settings.odom_frame + "'",
+                   "empty or ros/map_frame if ros/antenna_frames names several robots");
 }
 
 }  // namespace
@@ -40,10 +70,16 @@ std::string slashProblem(const std::string& frame) {
          withoutSlash(shown) + "'";
 }
 
+std::vector<std::string> antennaFrames(const RosSettings& settings) {
+  std::vector<std::string> frames = framesIn(settings.antenna_frames);
+  std::transform(frames.begin(), frames.end(), frames.begin(), withoutSlash);
+  return frames.empty() ? std::vector<std::string>{settings.antenna_frame} : frames;
+}
+
 std::vector<std::string> validate(const RosSettings& settings) {
   Problems problems;
   problems.frame("ros/map_frame", settings.map_frame);
-  problems.frame("ros/antenna_frame", settings.antenna_frame);
+  checkAntennaFrames(settings, problems);
   if (!settings.odom_frame.empty()) {  // empty: to be found in tf
     problems.frame("ros/odom_frame", settings.odom_frame);
   }

@@ -17,6 +17,7 @@ namespace sfw {
 struct RosSettings {
   std::string map_frame = "map";            ///< of the map and the access points
   std::string antenna_frame = "base_link";  ///< whose position is that of a reading
+  std::string antenna_frames;               ///< of several robots, separated by blanks
   std::string odom_frame;                   ///< readings follow it when the past is corrected
   double jump_distance_m = 0.1;             ///< a larger correction of odom_frame moves the past
   double jump_angle_rad = 0.05;             ///< a larger turn of odom_frame moves it too
@@ -40,6 +41,7 @@ template <class AnySettings, class Visitor>
 void forEachRosSetting(AnySettings& settings, Visitor&& visit) {
   visit("ros/map_frame", settings.map_frame);
   visit("ros/antenna_frame", settings.antenna_frame);
+  visit("ros/antenna_frames", settings.antenna_frames);
   visit("ros/odom_frame", settings.odom_frame);
   visit("ros/jump_distance", settings.jump_distance_m);
   visit("ros/jump_angle", settings.jump_angle_rad);
@@ -60,6 +62,9 @@ void forEachRosSetting(AnySettings& settings, Visitor&& visit) {
 
 /// The name of a frame without leading slashes, which tf's first version had and tf2 refuses.
 std::string withoutSlash(const std::string& frame);
+
+/// The antenna's frame of each robot: ros/antenna_frames, or else ros/antenna_frame alone.
+std::vector<std::string> antennaFrames(const RosSettings& settings);
 
 /// What is wrong with a frame that has leading slashes, in words; empty if it has none.
 std::string slashProblem(const std::string& frame);

@@ -52,8 +52,10 @@ class ScanReader {
       }
     }
     const Json* frame = frame_.find(message_, 0);
-    if (conversion_.problem.empty() && frame != nullptr && frame->is_string()) {
-      conversion_.problem = slashProblem(frame->get_ref<const std::string&>());
+    if (frame != nullptr && frame->is_string()) {
+      const std::string& given = frame->get_ref<const std::string&>();
+      conversion_.frame = withoutSlash(given);
+      conversion_.problem = conversion_.problem.empty() ? slashProblem(given) : conversion_.problem;
     }
     return std::move(conversion_);
   }

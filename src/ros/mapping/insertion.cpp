@@ -24,7 +24,8 @@ std::size_t insert(const LocatedObservation& observation, Mapper& mapper,
   }
   for (const LocatedPose& sample : observation.way) {
     const PathPose& pose = sample.pose;
-    if (isKept(mapper.insertPose(pose.stamp_ns, pose.antenna_in_map)) && sample.correction) {
+    if (isKept(mapper.insertPose(pose.stamp_ns, pose.antenna_in_map, pose.robot)) &&
+        sample.correction) {
       corrector.insert(*sample.correction);
     }
   }

@@ -60,7 +60,7 @@ void MappingNodelet::announceStart() {
                 std::to_string(unplaced) + " of them without a position";
   NODELET_INFO_STREAM("Mapping with " << radios << ". Waiting for "
                                       << "readings on " << topics << " and for the transform from "
-                                      << ros_settings_.antenna_frame << " to "
+                                      << antennaFramesText(ros_settings_) << " to "
                                       << ros_settings_.map_frame);
 }
 
@@ -104,6 +104,28 @@ void MappingNodelet::diagnose() {
   }
 }
 
+TransformStatus MappingNodelet::transformStatusOfRobots() const {
+  std::optional<TransformStatus> first;
+  for (const RosSettings& robot : robots_->settings()) {
+    TransformStatus status = transformStatus(robot, *transforms_, ros::Time::now());
+    if (!status.tf_error.empty() || status.age_s > ros_settings_.transform_timeout_s) {
+      return status;
+    }
+    first = first ? first : std::optional(std::move(status));
+  }
+  return *first;
+}
+
+FrameFinding MappingNodelet::frameFindingOfRobots() const {
+  FrameFinding finding;
+  for (const RosSettings& robot : robots_->settings()) {
+    if (finding.published_twice.empty()) {
+      finding = transform_watch_.finding(robot.antenna_frame);
+    }
+  }
+  return finding;
+}
+
 MappingStatus MappingNodelet::status() const {
   MappingStatus status;
   const ros::SteadyTime now = ros::SteadyTime::now();
@@ -115,8 +137,8 @@ MappingStatus MappingNodelet::status() const {
   }
   status.is_clock_missing = ros::Time::isSimTime() && ros::Time::now().isZero();
   status.inputs = statistics_.inputs(status.now_s);
-  status.transform = transformStatus(ros_settings_, *transforms_, ros::Time::now());
-  status.frames = transform_watch_.finding(ros_settings_.antenna_frame);
+  status.transform = transformStatusOfRobots();
+  status.frames = frameFindingOfRobots();
   status.frames.floors_m = floors_.heights();
   status.infinite_transforms = transform_intake_ ? transform_intake_->leftOut() : 0;
   status.transform_timeout_s = ros_settings_.transform_timeout_s;
@@ -177,8 +199,8 @@ void MappingNodelet::warnOfLosses(const ObservationQueue::Outcome& outcome) {
     mapper_->recordRejected("no transform at their stamp", outcome.expired);
     if (announcements_.isNews("expired", expired)) {
       NODELET_WARN_STREAM(
-          expired << " readings dropped: tf had no transform from " << ros_settings_.antenna_frame
-                  << " to " << ros_settings_.map_frame
+          expired << " readings dropped: tf had no transform from "
+                  << antennaFramesText(ros_settings_) << " to " << ros_settings_.map_frame
                   << " at their stamp within ros/transform_timeout ("
                   << ros_settings_.transform_timeout_s
                   << " s); start the localisation, or correct ros/antenna_frame and "

@@ -68,6 +68,7 @@ void MappingNodelet::loadParameters() {
   access_points_ = table.access_points;
   mapper_.emplace(config_, access_points_, jumpTolerance(ros_settings_));
   queue_.emplace(ros_settings_);
+  robots_.emplace(ros_settings_);
   refresh_rule_.emplace(config_.tomography.bin_size_m);
   pose_watch_.emplace(ros_settings_.max_tilt_rad, ros_settings_.max_speed_m_s);
   transforms_.emplace(ros::Duration(ros_settings_.tf_cache_s));
@@ -137,8 +138,9 @@ void MappingNodelet::receive(const Input& input, std::size_t index,
 
 void MappingNodelet::convert(const Input& input, std::size_t index, const AnyMessage& message) {
   Conversion conversion =
-      input.convert(message, {ros::Time::now(), ros_settings_.antenna_frame,
-                              config_.path.footprint_radius_m, toScanFormat(scan_settings_)});
+      input.convert(message, {ros::Time::now(), robots_->settings().front().antenna_frame,
+                              config_.path.footprint_radius_m, toScanFormat(scan_settings_),
+                              antennaFrames(ros_settings_)});
   statistics_.count(index, conversion, ros::SteadyTime::now().toSec());
   if (localisation_) {
     localisation_->add(conversion.observations);

@@ -39,6 +39,7 @@
 #include "ros/mapping/observation_queue.h"
 #include "ros/mapping/pose_watch.h"
 #include "ros/mapping/refresh_rule.h"
+#include "ros/mapping/robots.h"
 #include "ros/mapping/scan_localisation.h"
 #include "ros/mapping/shared_mapper.h"
 #include "ros/mapping/transform_intake.h"
@@ -103,6 +104,9 @@ class MappingNodelet : public nodelet::Nodelet {
   /// Subscribes again where the last publisher went: roscpp keeps its type, and refuses others.
   void subscribeAnew();
   MappingStatus status() const;
+  /// The transform of the first robot that lacks it, or else of the first robot.
+  TransformStatus transformStatusOfRobots() const;
+  FrameFinding frameFindingOfRobots() const;
   void noticeTimeJump(const ros::Time& now);
   bool serveMap(nav_msgs::GetMap::Response& response);
   bool reset(std_srvs::Trigger::Response& response);
@@ -113,6 +117,8 @@ class MappingNodelet : public nodelet::Nodelet {
 
   // In the mapping thread.
   void stepMapping();
+  /// Whether a localisation has moved a robot since the last map.
+  bool hasJumped(const std::vector<OdometryCorrection>& latest) const;
   /// A map, its data, and the results of its checks.
   struct Mapping {
     SharedMapper::Copy copy;
@@ -173,6 +179,7 @@ class MappingNodelet : public nodelet::Nodelet {
   std::vector<AccessPoint> access_points_;
   std::optional<SharedMapper> mapper_;
   std::optional<ObservationQueue> queue_;
+  std::optional<Robots> robots_;  // never changes after onInit
   std::optional<MapPublishers> publishers_;
 
   std::optional<tf2_ros::Buffer> transforms_;
@@ -219,8 +226,8 @@ class MappingNodelet : public nodelet::Nodelet {
     std::size_t expired = 0, overflowed = 0, tilted = 0, jumped = 0;
   } facts_;
 
-  std::optional<OdometryCorrection> last_map_correction_;  // tf's at the last map
-  std::atomic<bool> changed_{false};                       // since the last map
+  std::vector<OdometryCorrection> last_map_corrections_;  // tf's at the last map
+  std::atomic<bool> changed_{false};                      // since the last map
   std::atomic<bool> stop_{false};
   std::thread locating_thread_, mapping_thread_;
 };

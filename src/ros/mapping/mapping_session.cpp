@@ -157,8 +157,7 @@ void MappingNodelet::autosave() {
   std::string failure;
   try {
     unsaved_ = false;  // before the copy: later readings are for the next time
-    const SharedMapper::Copy copy =
-        mapper_->corrected(latestCorrection(ros_settings_, *transforms_));
+    const SharedMapper::Copy copy = mapper_->corrected(robots_->latestCorrections(*transforms_));
     const Session session{copy.mapper.readings(), copy.mapper.contacts(), copy.mapper.poses(),
                           copy.mapper.accessPoints()};
     if (session.readings.empty()) {

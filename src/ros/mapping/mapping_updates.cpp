@@ -12,22 +12,30 @@ void MappingNodelet::stepMapping() {
   if (ros::SteadyTime::now() < next_publication_) {
     return;
   }
-  const std::optional<OdometryCorrection> latest = latestCorrection(ros_settings_, *transforms_);
-  const bool jumped =
-      latest && last_map_correction_ &&
-      PathCorrector::isJump(*last_map_correction_, *latest, jumpTolerance(ros_settings_));
-  if (changed_ || jumped) {
+  if (changed_ || hasJumped(robots_->latestCorrections(*transforms_))) {
     next_publication_ =
         ros::SteadyTime::now() + ros::WallDuration(1.0 / ros_settings_.publish_rate_hz);
     publishMap(Checks::kChanged);
   }
 }
 
+bool MappingNodelet::hasJumped(const std::vector<OdometryCorrection>& latest) const {
+  for (const OdometryCorrection& now : latest) {
+    for (const OdometryCorrection& before : last_map_corrections_) {
+      if (before.robot == now.robot &&
+          PathCorrector::isJump(before, now, jumpTolerance(ros_settings_))) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 MappingNodelet::Mapping MappingNodelet::publishMap(Checks checks) {
   changed_ = false;  // before the copy: later readings are for the next map
-  last_map_correction_ = latestCorrection(ros_settings_, *transforms_);
+  last_map_corrections_ = robots_->latestCorrections(*transforms_);
   const ros::SteadyTime start = ros::SteadyTime::now();
-  Mapping mapping{mapper_->corrected(last_map_correction_), nullptr, {}};
+  Mapping mapping{mapper_->corrected(last_map_corrections_), nullptr, {}};
   mapping.snapshot = mapping.copy.mapper.infer(stop_);
   if (!mapping.snapshot) {
     return mapping;

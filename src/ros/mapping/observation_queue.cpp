@@ -38,7 +38,7 @@ void ObservationQueue::clear() {
     usable_ = 0;
   }
   const std::lock_guard<std::mutex> lock(sampling_);
-  sampler_.clear();
+  robots_.forgetWays();
 }
 
 std::size_t ObservationQueue::size() const {
@@ -81,11 +81,11 @@ ObservationQueue::Outcome ObservationQueue::locate(const tf2::BufferCore& transf
     Waiting waiting = std::move(all.front());
     all.pop_front();
     std::string tf_error;
-    if (auto located = sfw::locate(waiting.observation, config_, transforms, tf_error)) {
+    if (auto located = robots_.locate(waiting.observation, transforms, tf_error)) {
       try {
-        if (!located->readings.empty()) {
+        {
           const std::lock_guard<std::mutex> lock(sampling_);
-          located->way = sampler_.extendTo(located->readings.front().stamp_ns, transforms);
+          robots_.sampleWay(transforms, *located);
         }
         sink(*located);
       } catch (const std::exception&) {

@@ -11,7 +11,7 @@
 
 #include "ros/conversion/ros_settings.h"
 #include "ros/mapping/localization.h"
-#include "ros/mapping/path_sampler.h"
+#include "ros/mapping/robots.h"
 
 namespace sfw {
 
@@ -22,7 +22,7 @@ namespace sfw {
 /// simulated time stands still. Thread-safe.
 class ObservationQueue {
  public:
-  explicit ObservationQueue(const RosSettings& config) : config_(config), sampler_(config) {}
+  explicit ObservationQueue(const RosSettings& config) : config_(config), robots_(config) {}
 
   /// Adds an observation. With ros/max_waiting usable ones in the queue, the oldest is dropped.
   /// A tenth as many unusable ones may wait beside them, and take no place of a usable one.
@@ -70,7 +70,7 @@ class ObservationQueue {
   std::size_t overflowed_ = 0;
   std::size_t unusable_dropped_ = 0;
   std::mutex sampling_;  // around the next member, so that push() never waits for it
-  PathSampler sampler_;
+  Robots robots_;
 };
 
 }  // namespace sfw

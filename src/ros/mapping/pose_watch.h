@@ -10,7 +10,8 @@
 
 namespace sfw {
 
-/// Watches the poses of readings for what a robot on a floor cannot do: tilt and jump.
+/// Watches the poses of readings of each robot for what a robot on a floor cannot do: tilt and
+/// jump.
 class PoseWatch {
  public:
   /// @param max_tilt_rad   larger tilts are counted
@@ -30,12 +31,17 @@ class PoseWatch {
   void clear();
 
  private:
-  void measureTilt(const Eigen::Vector3d& up_in_sensor);
-  bool isWithinReach(const Reading& reading) const;
+  /// What is remembered of one robot.
+  struct Watched {
+    std::optional<Eigen::Vector3d> first_up;  // an antenna may be mounted in any direction
+    std::optional<Reading> last;              // that was usable
+  };
+
+  void measureTilt(const Eigen::Vector3d& up_in_sensor, Watched& robot);
+  bool isWithinReach(const Reading& reading, const Watched& robot) const;
 
   const double max_tilt_rad_, max_speed_m_s_;
-  std::optional<Eigen::Vector3d> first_up_;  // an antenna may be mounted in any direction
-  std::optional<Reading> last_;              // that was usable
+  std::map<std::string, Watched> robots_;  // by name
   std::size_t tilted_ = 0, jumped_ = 0;
   double largest_tilt_rad_ = 0.0;
 };

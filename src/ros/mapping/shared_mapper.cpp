@@ -74,15 +74,17 @@ std::uint64_t SharedMapper::resets() const {
   return resets_;
 }
 
-SharedMapper::Copy SharedMapper::corrected(const std::optional<OdometryCorrection>& latest) {
+SharedMapper::Copy SharedMapper::corrected(const std::vector<OdometryCorrection>& latest) {
   std::unique_lock<std::mutex> lock(mutex_);
   Copy copy{mapper_, resets_, false};
   PathCorrector corrector = corrector_;
   lock.unlock();
-  // tf's latest correction is not stored. It depends on the time of this call, and later maps must
-  // not.
-  if (latest && corrector.size() > 0) {
-    corrector.insert(*latest);
+  // tf's latest corrections are not stored. They depend on the time of this call, and later maps
+  // must not.
+  if (corrector.size() > 0) {
+    for (const OdometryCorrection& correction : latest) {
+      corrector.insert(correction);
+    }
   }
   const PathCorrection correction = corrector.correction();
   copy.mapper.correct(correction);
@@ -116,7 +118,7 @@ std::size_t SharedMapper::add(const Session& session) {
   insertAll(session.readings, mapper);
   insertAll(session.contacts, mapper);
   for (const PathPose& pose : session.path) {
-    mapper.insertPose(pose.stamp_ns, pose.antenna_in_map);
+    mapper.insertPose(pose.stamp_ns, pose.antenna_in_map, pose.robot);
   }
   mapper_ = std::move(mapper);
   readings_ += session.readings.size();
@@ -140,9 +142,10 @@ std::pair<std::size_t, std::size_t> SharedMapper::forget(
     const std::function<bool(const Position&)>& region) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const PathCorrection correction = corrector_.correction();
-  const auto forgotten = mapper_.forget([&](std::int64_t stamp_ns, const Position& position) {
-    return region(correction.moved(stamp_ns, position));
-  });
+  const auto forgotten = mapper_.forget(
+      [&](std::int64_t stamp_ns, const Position& position, const std::string& robot) {
+        return region(correction.moved(stamp_ns, position, robot));
+      });
   readings_ -= std::min(readings_, forgotten.first);
   return forgotten;
 }

@@ -57,8 +57,8 @@ class SharedMapper {
   };
 
   /// Copies the mapper, and corrects the copy by all corrections so far.
-  /// @param latest  tf's latest correction, which may have no reading yet
-  Copy corrected(const std::optional<OdometryCorrection>& latest);
+  /// @param latest  tf's latest correction of each robot, which may have no reading yet
+  Copy corrected(const std::vector<OdometryCorrection>& latest);
 
   /// Makes later maps cover the extent of a map of a corrected copy, so that they do not shrink
   /// when the correction changes. A copy that is out of date changes nothing.
