@@ -21,6 +21,11 @@ Motion motionOf(const std::vector<Scan>& scans) {
   std::size_t from = 0;
   for (std::size_t i = 1; i < scans.size(); ++i) {
     const double step_s = 1e-9 * static_cast<double>(scans[i].stamp_ns - scans[from].stamp_ns);
+    if (step_s < 0.0) {  // the next robot
+      from = i;
+      has_before = false;
+      continue;
+    }
     if (step_s < kShortestS) {
       continue;
     }

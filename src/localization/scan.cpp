@@ -33,12 +33,12 @@ Scan scanOf(Iterator first, Iterator last) {
 
 std::vector<Scan> scansOf(std::vector<Reading> readings, std::int64_t window_ns) {
   std::stable_sort(readings.begin(), readings.end(), [](const Reading& a, const Reading& b) {
-    return std::tie(a.stamp_ns, a.bssid) < std::tie(b.stamp_ns, b.bssid);
+    return std::tie(a.robot, a.stamp_ns, a.bssid) < std::tie(b.robot, b.stamp_ns, b.bssid);
   });
   std::vector<Scan> scans;
   for (auto first = readings.begin(); first != readings.end();) {
     const auto last = std::find_if(first, readings.end(), [&](const Reading& reading) {
-      return reading.stamp_ns - first->stamp_ns > window_ns;
+      return reading.robot != first->robot || reading.stamp_ns - first->stamp_ns > window_ns;
     });
     scans.push_back(scanOf(first, last));
     first = last;

@@ -19,9 +19,9 @@ struct Scan {
 /// Groups readings into scans.
 ///
 /// A scan starts with the first reading that is more than `window_ns` later than the start of the
-/// scan before it.
+/// scan before it, or of another robot.
 /// @param readings in any order
-/// @return the scans by time. O(readings log readings).
+/// @return the scans by robot and time. O(readings log readings).
 std::vector<Scan> scansOf(std::vector<Reading> readings, std::int64_t window_ns);
 
 /// Leaves out values that a driver repeats from its cache: they tell of the place before.

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "localization/heard_hall.h"
+#include "localization/motion.h"
 
 namespace sfw {
 namespace {
@@ -25,6 +26,19 @@ TEST(ScansOf, GroupsReadingsOfAShortTimeAndAveragesABssid) {
   EXPECT_DOUBLE_EQ(scans[0].position.x(), 2.0);
   EXPECT_DOUBLE_EQ(scans[1].heard[0].second, -70.0);
   EXPECT_EQ(wayOf(scans), std::vector<double>({0.0, 2.0}));
+}
+
+TEST(ScansOf, KeepRobotsApart) {
+  std::vector<Reading> readings = {reading(0.0, 1.0, 0, -40.0), reading(0.1, 9.0, 0, -80.0),
+                                   reading(5.0, 2.0, 0, -50.0), reading(5.1, 8.0, 0, -70.0)};
+  readings[1].robot = readings[3].robot = "second";
+  const std::vector<Scan> scans = scansOf(readings, 500'000'000);
+  ASSERT_EQ(scans.size(), 4U);
+  EXPECT_DOUBLE_EQ(scans[1].position.x(), 2.0);
+  EXPECT_DOUBLE_EQ(scans[2].position.x(), 9.0);
+  const Motion motion = motionOf(scans);  // 1 m in 5 s, both
+  EXPECT_EQ(motion.velocities.size(), 2U);
+  EXPECT_NEAR(motion.speed, 0.2, 1e-3);
 }
 
 Scan scanOf(const std::vector<double>& rssi_dbm) {

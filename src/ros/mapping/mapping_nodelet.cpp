@@ -84,7 +84,7 @@ void MappingNodelet::advertise() {
                       ros_settings_.map_updates ? Updates::kRectangles : Updates::kNone);
   publishers_->publish(empty);
   if (ros_settings_.localisation_rate_hz > 0.0) {
-    localisation_.emplace(getPrivateNodeHandle(), ros_settings_, *transforms_);
+    localisation_.emplace(getPrivateNodeHandle(), robots_->settings().front(), *transforms_);
   }
 
   advertiseServices();

@@ -41,12 +41,11 @@ ScanLocalisation::~ScanLocalisation() {
 
 void ScanLocalisation::add(const std::vector<Observation>& observations) {
   constexpr std::size_t kMostWaiting = 20000;  // more come only while a map is learned
-  constexpr double kWeakestDbm = -120.0;
   const std::lock_guard<std::mutex> lock(mutex_);
   for (const Observation& observation : observations) {
     const auto* const reading = std::get_if<UnlocatedReading>(&observation.content);
-    if (reading != nullptr && reading->rssi_dbm > kWeakestDbm && reading->rssi_dbm <= 0.0 &&
-        heard_.size() < kMostWaiting) {
+    const bool is_own = observation.robot.empty() || observation.robot == settings_.antenna_frame;
+    if (reading != nullptr && is_own && isUsable(observation) && heard_.size() < kMostWaiting) {
       heard_.push_back({static_cast<std::int64_t>(observation.stamp.toNSec()), Position::Zero(),
                         reading->bssid, reading->rssi_dbm});
     }

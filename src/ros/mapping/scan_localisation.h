@@ -39,7 +39,8 @@ class ScanLocalisation {
   ScanLocalisation(const ScanLocalisation&) = delete;
   ScanLocalisation& operator=(const ScanLocalisation&) = delete;
 
-  /// Takes the readings of a message; contacts are ignored. Never waits for the thread's work.
+  /// Takes the readings of a message. Contacts and other robots' readings are ignored. Never waits
+  /// for the thread's work.
   void add(const std::vector<Observation>& observations);
 
   /// Gives the thread readings to learn from, if there are a fifth more than it knows. Those of the
