@@ -20,10 +20,10 @@ constexpr double kLeastSpreadDb = 1.0;  // less is rounding, not distance
 constexpr double kLeastNoiseDb2 = 0.1;
 
 constexpr double kMarginM = 8.0;  // of the search beyond the path
-constexpr double kCoarseCellM = 0.5;
-constexpr double kMostCoarseCells = 2500.0;
+constexpr double kCoarseCellM = 1.0;
+constexpr double kMostCoarseCells = 625.0;
 constexpr std::size_t kMostFineCells = 250;
-constexpr int kRefinements = 2;  // to an eighth of a metre: finer than the accuracy of any path
+constexpr int kRefinements = 3;  // to an eighth of a metre: finer than the accuracy of any path
 constexpr double kLargestDeviationM = 5.0;
 
 /// Cells are ignored if their log likelihood is this much below the best one.
@@ -226,14 +226,34 @@ std::vector<Position> evenlySpread(const Box& area) {
   return positions;
 }
 
+/// The likeliest of some positions.
+std::vector<Position> likeliest(AccessPointLikelihood likelihood,
+                                const std::vector<Position>& positions) {
+  constexpr std::size_t kMost = 12;
+  std::vector<std::pair<double, std::size_t>> rated;  // the likeliest first
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    rated.emplace_back(-likelihood.at(positions[i]), i);
+  }
+  std::sort(rated.begin(), rated.end());
+  std::vector<Position> best;
+  for (std::size_t i = 0; i < std::min(kMost, rated.size()); ++i) {
+    best.push_back(positions[rated[i].second]);
+  }
+  return best;
+}
+
 /// The likelihood for the shadow fading that explains the signals best.
 ///
 /// Strength and reach of shadow fading differ from building to building, and so does the accuracy
-/// that signals allow. Each pair is rated by the best of some positions of the access point.
+/// that signals allow. Each pair is rated by the best of some positions of the access point, which
+/// are likely with the usual fading.
 AccessPointLikelihood withBestShadowing(const AccessPointBins& access_point) {
   constexpr double kUsualDb = 5.0;
   constexpr double kFactor = 0.5;  // standard deviation of the deviation's logarithm
-  const std::vector<Position> positions = evenlySpread(searchedArea(access_point.bins));
+  constexpr double kUsualDistanceM = 1.5;
+  const std::vector<Position> positions =
+      likeliest(AccessPointLikelihood(access_point, {kUsualDb, kUsualDistanceM}),
+                evenlySpread(searchedArea(access_point.bins)));
   std::optional<AccessPointLikelihood> best;
   double most = -std::numeric_limits<double>::infinity();
   for (const double distance_m : {1.5, 4.0}) {

@@ -50,7 +50,9 @@ Json describe(const AccessPointSummary& summary, const AccessPointFit* fit) {
   }
   if (fit != nullptr) {
     const Position& better = fit->estimate.position;
-    json["fit"] = {{"residual_db", fit->residual_db}, {"suspect", fit->suspect}};
+    json["fit"] = {{"residual_db", fit->residual_db},
+                   {"log_ratio", fit->log_ratio},
+                   {"suspect", fit->suspect}};
     if (fit->suspect) {
       json["fit"]["seems_to_stand_at"] = {better.x(), better.y()};
     }

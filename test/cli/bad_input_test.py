@@ -86,7 +86,7 @@ class BadAccessPoints(CommandLine):
         self.check("access_points:\n  - {bssid: \"%s\", x: 1, y: 1}\n - {x: ]}\n" % NEAR, "line 3")
 
     def test_no_list(self):
-        for text in ("", "a: 1", "[1, 2]", "access_points: []", "access_points: {x: 1}", "text"):
+        for text in ("", "a: 1", "[1, 2]", "access_points: {x: 1}", "text"):
             with self.subTest(text=text):
                 self.check(text, "access_points")
 
