@@ -218,7 +218,7 @@ class GoodInput(CommandLine):
         run = self.good(self.map(readings=self.write("more.csv", text)))
         self.assertIn("1 readings left out: rssi_dbm is not in (-120, 0]", run.stderr)
         self.assertIn("percent", run.stderr)
-        self.assertIn(STRANGER + ": 2 readings", run.stderr)
+        self.assertIn("(1 BSSID: %s 2 times)" % STRANGER, run.stderr)
 
     def test_other_units_of_positions_are_scaled(self):
         self.good(self.map())
