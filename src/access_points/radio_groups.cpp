@@ -85,30 +85,42 @@ double logDifference(double away, double deviation) {
                   kOutliers * std::exp(logNormal(away, kOutlierDb)));
 }
 
+/// Log likelihood of differences about their median, for the likeliest of some deviations [dB].
+template <std::size_t kCount>
+double logLikelihoodOf(const std::vector<double>& differences, double middle,
+                       const std::array<double, kCount>& deviations_db) {
+  double best = -std::numeric_limits<double>::infinity();
+  for (const double deviation : deviations_db) {
+    double sum = 0.0;
+    for (const double difference : differences) {
+      sum += logDifference(difference - middle, deviation);
+    }
+    best = std::max(best, sum);
+  }
+  return best;
+}
+
 /// Log likelihood ratio of one radio to two, given the differences of their signals.
 /// @param fading_db2  of both signals together
 double logRatioOf(const std::vector<double>& differences, double fading_db2) {
-  // Deviations of such differences. Beacons of one radio that a robot heard within one second
-  // differed by 1.45 dB (recording of github.com/RMiyagusuku/ros-wifi-localization).
+  // Beacons of one radio that a robot heard within one second differed by 1.45 dB (recording of
+  // github.com/RMiyagusuku/ros-wifi-localization).
   constexpr std::array<double, 3> kOneRadioDb = {1.0, 1.5, 2.2};
   constexpr double kLeastFadingDb = 2.0;
   constexpr double kIndependent = 0.5;    // share of the differences, since fading is correlated
   constexpr double kOneLevelDb = 1.0;     // of the mean difference of one radio
   constexpr double kOtherLevelDb = 12.0;  // of two
   const double middle = median(differences);
-  const double two = std::max(kLeastFadingDb, std::sqrt(fading_db2));
-  double best = -std::numeric_limits<double>::infinity();
-  for (const double one : kOneRadioDb) {
-    double sum = 0.0;
-    for (const double difference : differences) {
-      sum += logDifference(difference - middle, one) -
-             logDifference(difference - middle, std::max(one, two));
-    }
-    best = std::max(best, sum);
-  }
+  // Signals of two radios differ by their fading at least, and by their distances if they stand at
+  // two places.
+  const double fading = std::max(kLeastFadingDb, std::sqrt(fading_db2));
+  const std::array<double, 4> two_radios_db = {fading, std::max(fading, 4.0), std::max(fading, 7.0),
+                                               std::max(fading, 12.0)};
+  const double ratio = logLikelihoodOf(differences, middle, kOneRadioDb) -
+                       logLikelihoodOf(differences, middle, two_radios_db);
   const double level =
       std::sqrt(kOneLevelDb * kOneLevelDb + 2.0 / static_cast<double>(differences.size()));
-  return kIndependent * best + logNormal(middle, level) - logNormal(middle, kOtherLevelDb);
+  return kIndependent * ratio + logNormal(middle, level) - logNormal(middle, kOtherLevelDb);
 }
 
 /// Rates pairs of BSSIDs.

@@ -26,21 +26,23 @@ AccessPoint unplaced(const std::string& bssid) {
 class Drive {
  public:
   /// Adds a BSSID. Those of one radio share its fading.
+  /// @param at_m  where it is passed on the way
   void hear(const std::string& bssid, std::uint64_t radio, double noise_db = 1.0,
-            double offset_db = 0.0, double delay_s = 0.0) {
+            double offset_db = 0.0, double delay_s = 0.0, double at_m = 12.0,
+            double fading_db = 4.0) {
     const RandomField fading(RandomField::Kind::kRough, 0.6, 7, radio);
     Random random(5, static_cast<std::int64_t>(table.size()), 6);
     table.push_back(unplaced(bssid));
     readings.emplace_back();
     for (int i = 0; i < 150; ++i) {
       const Position place(0.2 * i, 1.0);
-      const double distance = std::hypot(place.x() - 12.0, 3.0);
+      const double distance = std::hypot(place.x() - at_m, 3.0);
       Reading reading;
       reading.stamp_ns = static_cast<std::int64_t>((0.5 * i + delay_s) * 1e9);
       reading.antenna_in_map = place;
       reading.bssid = table.back().bssid;
       reading.rssi_dbm = std::round(-40.0 - 20.0 * std::log10(distance) + offset_db +
-                                    4.0 * fading.at(place) + noise_db * random.normal());
+                                    fading_db * fading.at(place) + noise_db * random.normal());
       readings.back().push_back(reading);
     }
   }
@@ -71,6 +73,13 @@ TEST(RadioGroups, KeepTwoRadiosOfOneMastApart) {
   Drive drive;
   drive.hear("a0:00:00:00:00:40", 1);
   drive.hear("a0:00:00:00:00:41", 2);
+  EXPECT_TRUE(drive.groups().empty());
+}
+
+TEST(RadioGroups, KeepRadiosOfTwoPlacesApartWithoutFading) {
+  Drive drive;
+  drive.hear("a0:00:00:00:00:40", 1, 1.0, 0.0, 0.0, 12.0, 0.0);
+  drive.hear("a0:00:00:00:00:41", 2, 1.0, 0.0, 0.0, 15.0, 0.0);
   EXPECT_TRUE(drive.groups().empty());
 }
 
