@@ -35,10 +35,17 @@ double fadingOf(const Readings& readings) {
   return sum / (static_cast<double>(steps) + kWeight);
 }
 
-/// Differences of the signals that one robot hears at once [dB]. A pair of values that repeats the
-/// one before it may be cached, and counts once.
-std::vector<double> differencesOf(const Readings& a, const Readings& b) {
+/// What two BSSIDs have in common.
+struct Common {
+  std::size_t readings = 0;  ///< that one robot hears at once
+
+  /// Differences of their signals [dB]. A pair of values that repeats the one before it may be
+  /// cached, and counts once.
   std::vector<double> differences;
+};
+
+Common commonOf(const Readings& a, const Readings& b) {
+  Common common;
   std::pair<double, double> last(1.0, 1.0);  // no signal
   std::size_t j = 0;
   for (const Reading& reading : a) {
@@ -56,13 +63,14 @@ std::vector<double> differencesOf(const Readings& a, const Readings& b) {
         std::abs(b[j].stamp_ns - reading.stamp_ns) > kSimultaneousNs) {
       continue;
     }
+    ++common.readings;
     const std::pair<double, double> now(reading.rssi_dbm, b[j].rssi_dbm);
     if (now != last) {
-      differences.push_back(now.first - now.second);
+      common.differences.push_back(now.first - now.second);
       last = now;
     }
   }
-  return differences;
+  return common;
 }
 
 double median(std::vector<double> values) {
@@ -135,9 +143,11 @@ class Pairs {
 
   /// Log odds that two BSSIDs are one radio; 0 if nothing tells.
   double operator()(std::size_t i, std::size_t j) const {
-    // If their addresses do not tell, few pairs of a building are one radio.
-    constexpr double kUnrelated = -6.0;
-    constexpr double kNever = -1e6;  // no signal outweighs this
+    // Few pairs of a building are one radio, if their addresses do not tell, or if one of them is
+    // often heard without the other. One radio sends both equally far.
+    constexpr double kUnlikely = -6.0;
+    constexpr double kLeastCommon = 0.25;  // of the readings of the one that is heard more
+    constexpr double kNever = -1e6;        // no signal outweighs this
     if (readings_[i].size() < kFewest || readings_[j].size() < kFewest) {
       return 0.0;
     }
@@ -146,12 +156,15 @@ class Pairs {
     if (a.position_known && b.position_known && (a.position - b.position).norm() > kSamePlaceM) {
       return kNever;
     }
-    const std::vector<double> differences = differencesOf(readings_[i], readings_[j]);
-    if (differences.size() < kFewest) {
+    const Common common = commonOf(readings_[i], readings_[j]);
+    if (common.differences.size() < kFewest) {
       return 0.0;
     }
-    return logRatioOf(differences, fading_db2_[i] + fading_db2_[j]) +
-           (a.bssid.isRelatedTo(b.bssid) ? 0.0 : kUnrelated);
+    const std::size_t most = std::max(readings_[i].size(), readings_[j].size());
+    const bool is_seldom_common =
+        static_cast<double>(common.readings) < kLeastCommon * static_cast<double>(most);
+    return logRatioOf(common.differences, fading_db2_[i] + fading_db2_[j]) +
+           (a.bssid.isRelatedTo(b.bssid) ? 0.0 : kUnlikely) + (is_seldom_common ? kUnlikely : 0.0);
   }
 
  private:
@@ -209,7 +222,7 @@ std::vector<RadioGroup> merged(const Pairs& pairs, const RadioGroup& set) {
 }  // namespace
 
 double levelDifference(const Readings& a, const Readings& b) {
-  const std::vector<double> differences = differencesOf(a, b);
+  const std::vector<double> differences = commonOf(a, b).differences;
   return differences.empty() ? 0.0 : median(differences);
 }
 

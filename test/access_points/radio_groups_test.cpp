@@ -83,6 +83,16 @@ TEST(RadioGroups, KeepRadiosOfTwoPlacesApartWithoutFading) {
   EXPECT_TRUE(drive.groups().empty());
 }
 
+TEST(RadioGroups, NeedBothToBeHeardAsFar) {
+  Drive drive;
+  drive.hear("a0:00:00:00:00:40", 1);
+  drive.hear("a0:00:00:00:00:41", 1);
+  drive.readings[1].resize(8);  // these few could be alike by chance
+  EXPECT_TRUE(drive.groups().empty());
+  drive.readings[0].resize(8);
+  EXPECT_EQ(drive.groups().size(), 1U);
+}
+
 TEST(RadioGroups, JoinNetworksOfDifferentPower) {
   Drive drive;
   drive.hear("a0:00:00:00:00:40", 1);
