@@ -21,7 +21,7 @@ Box shownArea(const Snapshot& snapshot) {
     area.extend(pose.antenna_in_map);
   }
   for (const AccessPointSummary& summary : snapshot.access_points) {
-    if (hasPosition(summary)) {
+    if (isPlaced(summary)) {
       area.extend(summary.access_point.position);
     }
   }
@@ -112,7 +112,7 @@ std::vector<LegendEntry> mapLegend(const Snapshot& snapshot) {
 void drawAccessPoints(const Snapshot& snapshot, Canvas& canvas) {
   std::set<std::pair<double, double>> named;
   for (const AccessPointSummary& summary : snapshot.access_points) {
-    if (!hasPosition(summary) || summary.radio) {
+    if (!isPlaced(summary) || summary.radio) {
       continue;
     }
     const AccessPoint& access_point = summary.access_point;

@@ -58,6 +58,21 @@ TEST(MapPicture, IsAPngWhoseLongSideFillsTheMap) {
   EXPECT_GE(high.width, 520U);  // the footer's
 }
 
+TEST(MapPicture, LeavesOutAccessPointsOfUncertainPlace) {
+  Snapshot map = snapshot(16.0, 4.0);
+  const std::string without = renderPicture(map);
+  AccessPointSummary far;
+  far.access_point.bssid = *Bssid::parse("02:00:00:00:00:02");
+  far.access_point.position = {8.0, 60.0};
+  far.access_point.position_known = false;
+  far.estimate.emplace();
+  far.estimate->covariance = 25.0 * Eigen::Matrix2d::Identity();
+  map.access_points.push_back(far);
+  EXPECT_TRUE(renderPicture(map) == without);
+  map.access_points.back().estimate->covariance = Eigen::Matrix2d::Identity();
+  EXPECT_FALSE(renderPicture(map) == without);
+}
+
 TEST(MapPicture, IsTheSameForTheSameMap) {
   EXPECT_EQ(renderPicture(snapshot(5.0, 5.0)), renderPicture(snapshot(5.0, 5.0)));
   EXPECT_NE(renderPicture(snapshot(5.0, 5.0)), renderPicture(snapshot(5.0, 5.0, "other")));

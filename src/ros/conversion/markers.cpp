@@ -244,7 +244,7 @@ void addAccessPoints(const std::vector<CheckedAccessPoint>& all, const std_msgs:
   std::vector<Name> names;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const AccessPointSummary& summary = *all[i].summary;
-    if (!hasPosition(summary) || summary.radio) {
+    if (!isPlaced(summary) || summary.radio) {
       continue;
     }
     const AccessPoint& access_point = summary.access_point;
