@@ -19,7 +19,7 @@ import junit  # noqa: E402
 import genpy  # noqa: E402
 from bag_drive import EQUAL_IOU, DriveTest, changed, is_tf, sfw  # noqa: E402
 
-SHARED = os.environ.get("SFW_SHARED")
+CASES = pathlib.Path(os.environ.get("SFW_SHARED", ROOT.parent / "shared"), "cases")
 KNOWS_WALL = "knows_wall_f1"
 
 
@@ -100,14 +100,13 @@ class BagRobots(DriveTest):
         self.assertIn("ros/odom_frame must be empty or ros/map_frame", said)
 
 
-@unittest.skipUnless(SHARED, "SFW_SHARED names no folder of recordings")
+@unittest.skipUnless(CASES.is_dir(), "no recordings: set SFW_SHARED to a folder with cases")
 class RecordedDrive(unittest.TestCase):
     """The same for a CSV."""
 
     @classmethod
     def setUpClass(cls):
-        cls.cases = pathlib.Path(SHARED) / "cases"
-        with open(cls.cases / "drive.csv") as file:
+        with open(CASES / "drive.csv") as file:
             cls.rows = list(csv.DictReader(file))
 
     def map(self, rows, folder):
@@ -118,9 +117,9 @@ class RecordedDrive(unittest.TestCase):
             writer.writeheader()
             writer.writerows(rows)
         said = sfw("map", "--readings", folder / "readings.csv", "--access-points",
-                   self.cases / "access_points.yaml", "--output", folder / "map")
+                   CASES / "access_points.yaml", "--output", folder / "map")
         score = json.loads(sfw("evaluate", "--map", folder / "map" / "map.yaml", "--truth",
-                               self.cases / "truth.yaml", "--readings", self.cases / "drive.csv",
+                               CASES / "truth.yaml", "--readings", CASES / "drive.csv",
                                "--json"))
         return score["map"], said
 
