@@ -43,6 +43,12 @@ def environment_of(space):
     return dict(line.split("=", 1) for line in text.split("\0") if "=" in line)
 
 
+def remove_installed():
+    """In the source tree, roslaunch would find each file of the devel space twice."""
+    if BUILD in INSTALL.parents:
+        shutil.rmtree(INSTALL, ignore_errors=True)
+
+
 class Space:
     """The tests of both spaces; `space` is its folder."""
 
@@ -74,9 +80,20 @@ class Space:
 class Devel(Space, unittest.TestCase):
     headers = ROOT / "include" / PACKAGE
 
+    @classmethod
+    def setUpClass(cls):
+        remove_installed()
+
     @property
     def space(self):
         return BUILD / "devel"
+
+    def test_roslaunch_finds_each_launch_file_once(self):
+        find = "import roslib.packages; print(*roslib.packages.find_resource('%s', '%s'))"
+        for file in (ROOT / "launch").iterdir():
+            found = run("/usr/bin/python3", "-c", find % (PACKAGE, file.name),
+                        environment=self.environment)
+            self.assertEqual(found.split(), [str(file)])
 
 
 class Install(Space, unittest.TestCase):
@@ -84,8 +101,12 @@ class Install(Space, unittest.TestCase):
     def setUpClass(cls):
         if BUILD not in INSTALL.parents:
             raise unittest.SkipTest("would install into %s, outside the build tree" % INSTALL)
-        shutil.rmtree(INSTALL, ignore_errors=True)
+        remove_installed()
         run("cmake", "--install", BUILD)
+
+    @classmethod
+    def tearDownClass(cls):
+        remove_installed()
 
     space = property(lambda self: INSTALL)
     headers = property(lambda self: INSTALL / "include" / PACKAGE)
