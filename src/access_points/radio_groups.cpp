@@ -8,6 +8,8 @@
 #include <numeric>
 #include <utility>
 
+#include "radio/radio_bins.h"
+
 namespace sfw {
 namespace {
 
@@ -20,19 +22,17 @@ constexpr std::int64_t kSimultaneousNs = 300'000'000;
 constexpr std::size_t kFewest = 3;  // simultaneous readings: fewer tell nothing
 constexpr double kSamePlaceM = 1.0;
 
-/// Half of the mean square of successive differences [dB2]: fading and noise, but not distance.
+/// Variance by fading and noise, but not by distance [dB2]. A few readings hardly change the usual
+/// value.
 double fadingOf(const Readings& readings) {
   constexpr double kUsualDb2 = 9.0;
   constexpr double kWeight = 2.0;  // of the usual value, as a number of differences
-  constexpr double kLargestStepDb = 12.0;
-  double sum = kWeight * kUsualDb2;
-  for (std::size_t i = 1; i < readings.size(); ++i) {
-    const double step =
-        std::min(std::abs(readings[i].rssi_dbm - readings[i - 1].rssi_dbm), kLargestStepDb);
-    sum += 0.5 * step * step;
+  std::vector<Sample> samples;
+  for (const Reading& reading : readings) {
+    samples.push_back({reading.antenna_in_map, reading.rssi_dbm});
   }
-  const std::size_t steps = readings.empty() ? 0 : readings.size() - 1;
-  return sum / (static_cast<double>(steps) + kWeight);
+  const double steps = static_cast<double>(std::max<std::size_t>(samples.size(), 1) - 1);
+  return (steps * readingNoise(samples) + kWeight * kUsualDb2) / (steps + kWeight);
 }
 
 /// What two BSSIDs have in common.

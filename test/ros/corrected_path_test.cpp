@@ -55,19 +55,6 @@ class CorrectedPathTest : public NodeletWorld {
     }
     return largest;
   }
-
- private:
-  geometry_msgs::TransformStamped transform(double seconds, const char* parent, const char* child,
-                                            double x, double y) const {
-    geometry_msgs::TransformStamped message;
-    message.header.stamp = at(seconds);
-    message.header.frame_id = parent;
-    message.child_frame_id = child;
-    message.transform.translation.x = x;
-    message.transform.translation.y = y;
-    message.transform.rotation.w = 1.0;
-    return message;
-  }
 };
 
 TEST_F(CorrectedPathTest, ALoopClosureTakesTheDriftOffWhatWasReadBefore) {

@@ -111,13 +111,9 @@ class HostileMessagesTest : public NodeletWorld {
 
   void pose(double seconds) {
     tf2_msgs::TFMessage message;
-    message.transforms.resize(1);
-    message.transforms[0].header.stamp = at(seconds);
-    message.transforms[0].header.frame_id = "map";
-    message.transforms[0].child_frame_id = "base_link";
-    message.transforms[0].transform.translation.x = 4.0 + 3.0 * std::sin(0.05 * seconds);
-    message.transforms[0].transform.translation.y = 3.0 + 2.0 * std::sin(0.083 * seconds);
-    message.transforms[0].transform.rotation.w = 1.0;
+    message.transforms = {transform(seconds, "map", "base_link",
+                                    4.0 + 3.0 * std::sin(0.05 * seconds),
+                                    3.0 + 2.0 * std::sin(0.083 * seconds))};
     send(transforms_, message);
   }
 

@@ -93,15 +93,22 @@ class NodeletWorld : public testing::Test {
 
   ros::Time at(double seconds) const { return start_ + ros::Duration(seconds); }
 
+  /// A transform without a turn.
+  geometry_msgs::TransformStamped transform(double seconds, const std::string& parent,
+                                            const std::string& child, double x, double y) const {
+    geometry_msgs::TransformStamped transform;
+    transform.header.stamp = at(seconds);
+    transform.header.frame_id = parent;
+    transform.child_frame_id = child;
+    transform.transform.translation.x = x;
+    transform.transform.translation.y = y;
+    transform.transform.rotation.w = 1.0;
+    return transform;
+  }
+
   void sendPose(double seconds, double x, double y) {
     tf2_msgs::TFMessage message;
-    message.transforms.resize(1);
-    message.transforms[0].header.stamp = at(seconds);
-    message.transforms[0].header.frame_id = "map";
-    message.transforms[0].child_frame_id = "base_link";
-    message.transforms[0].transform.translation.x = x;
-    message.transforms[0].transform.translation.y = y;
-    message.transforms[0].transform.rotation.w = 1.0;
+    message.transforms = {transform(seconds, "map", "base_link", x, y)};
     transforms_.publish(message);
   }
 

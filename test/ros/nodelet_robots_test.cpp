@@ -32,18 +32,6 @@ class NodeletRobotsTest : public NodeletDiagnosticsWorld {
     return {kStep * i, robot == "robot1" ? 1.0 : 5.0};
   }
 
-  geometry_msgs::TransformStamped transform(double seconds, const std::string& parent,
-                                            const std::string& child, double x, double y) const {
-    geometry_msgs::TransformStamped transform;
-    transform.header.stamp = at(seconds);
-    transform.header.frame_id = parent;
-    transform.child_frame_id = child;
-    transform.transform.translation.x = x;
-    transform.transform.translation.y = y;
-    transform.transform.rotation.w = 1.0;
-    return transform;
-  }
-
   /// tf of a robot whose odometry began at its own place.
   void sendTree(const std::string& robot, int i) {
     const Position start = wayAt(robot, 0);
