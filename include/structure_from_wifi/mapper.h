@@ -75,6 +75,10 @@ class SFW_EXPORT Mapper {
   /// is dropped and counted if its new position does not fit the map. O(readings log corrections).
   void correct(const PathCorrection& correction);
 
+  /// Moves them by a function of stamp [ns], position [m] and robot to the new position, likewise.
+  void correct(
+      const std::function<Position(std::int64_t, const Position&, const std::string&)>& moved);
+
   /// The extent of access points, path, contacts and the boxes of growTo() [m], without the map's
   /// margin. O(readings log readings), as for all functions below.
   Box extent() const;

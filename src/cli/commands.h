@@ -10,6 +10,7 @@ namespace sfw {
 void runMap(Options& options);
 void runAccessPoints(Options& options);
 void runEvaluate(Options& options);
+void runCloseLoops(Options& options);
 void runLocalise(Options& options);
 void runVisibility(Options& options);
 void runDense(Options& options);

@@ -26,6 +26,10 @@ constexpr Command kCommands[] = {
     {"access-points",
      "Find the access points of a recording and print their table, to keep and to correct.",
      runAccessPoints},
+    {"close-loops",
+     "Correct the drift of odometry in a recording, where the robot returned to places that sound "
+     "the same.",
+     runCloseLoops},
     {"evaluate", "Compare a map with the truth and with a map made without radio.", runEvaluate},
     {"localise", "Find where scans were taken, on a radio map learned from located readings.",
      runLocalise},

@@ -81,7 +81,7 @@ void ParticleFilter::draw(std::size_t particle, const std::vector<double>& sums)
       places.points()[drawn(sums, random_.uniform())] +
       Position(random_.uniform(-half_m, half_m), random_.uniform(-half_m, half_m));
   velocities_[particle] = drawnVelocity();
-  yaws_rad_[particle] = random_.uniform(-kPi, kPi);
+  yaws_rad_[particle] = random_.uniform(-config_.start_yaw, config_.start_yaw);
 }
 
 Position ParticleFilter::drawnVelocity() {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/constants.h"
 #include "base/random.h"
 #include "localization/place_estimate.h"
 #include "localization/radio_map.h"
@@ -30,6 +31,7 @@ class ParticleFilter {
     double odometry_error = 0.1;       ///< standard deviation of a step, in its length
     double odometry_yaw_error = 0.03;  ///< standard deviation of the frame's yaw [rad], each metre
     double redrawn = 0.02;             ///< part that each resampling draws again
+    double start_yaw = kPi;            ///< largest yaw of a drawn particle's odometry frame [rad]
     double shared_way_m = 0.4;         ///< scans nearer than this share their errors
     double lost_after_s = 30.0;        ///< without scans for so long, the filter starts again
   };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <tuple>
+#include <utility>
 
 namespace sfw {
 namespace {
@@ -29,21 +30,35 @@ Scan scanOf(Iterator first, Iterator last) {
   return scan;
 }
 
-}  // namespace
-
-std::vector<Scan> scansOf(std::vector<Reading> readings, std::int64_t window_ns) {
+/// @param is_next (first reading of a scan, reading): whether another scan starts with the reading
+template <class IsNext>
+std::vector<Scan> grouped(std::vector<Reading> readings, IsNext&& is_next) {
   std::stable_sort(readings.begin(), readings.end(), [](const Reading& a, const Reading& b) {
     return std::tie(a.robot, a.stamp_ns, a.bssid) < std::tie(b.robot, b.stamp_ns, b.bssid);
   });
   std::vector<Scan> scans;
   for (auto first = readings.begin(); first != readings.end();) {
     const auto last = std::find_if(first, readings.end(), [&](const Reading& reading) {
-      return reading.robot != first->robot || reading.stamp_ns - first->stamp_ns > window_ns;
+      return reading.robot != first->robot || is_next(*first, reading);
     });
     scans.push_back(scanOf(first, last));
     first = last;
   }
   return scans;
+}
+
+}  // namespace
+
+std::vector<Scan> scansOf(std::vector<Reading> readings, std::int64_t window_ns) {
+  return grouped(std::move(readings), [&](const Reading& first, const Reading& reading) {
+    return reading.stamp_ns - first.stamp_ns > window_ns;
+  });
+}
+
+std::vector<Scan> stretchesOf(std::vector<Reading> readings, double length_m) {
+  return grouped(std::move(readings), [&](const Reading& first, const Reading& reading) {
+    return (reading.antenna_in_map - first.antenna_in_map).norm() > length_m;
+  });
 }
 
 Scan withoutRepeated(const Scan& scan, const Scan& before) {

@@ -24,6 +24,14 @@ struct Scan {
 /// @return the scans by robot and time. O(readings log readings).
 std::vector<Scan> scansOf(std::vector<Reading> readings, std::int64_t window_ns);
 
+/// Groups readings into stretches of the way, each as one scan.
+///
+/// A stretch starts with the first reading that is farther than `length_m` from the start of the
+/// stretch before it, or of another robot.
+/// @param readings in any order
+/// @return the stretches by robot and time. O(readings log readings).
+std::vector<Scan> stretchesOf(std::vector<Reading> readings, double length_m);
+
 /// Leaves out values that a driver repeats from its cache: they tell of the place before.
 ///
 /// A scan repeats if at least five BSSIDs, and two in five of those that the scan before heard too,

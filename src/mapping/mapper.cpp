@@ -148,7 +148,19 @@ void Mapper::recordRejected(const std::string& reason, std::size_t count) {
 
 void Mapper::recordFrames(const FrameFinding& frames) { store_->recordFrames(frames); }
 
-void Mapper::correct(const PathCorrection& correction) { store_->correct(correction); }
+void Mapper::correct(const PathCorrection& correction) {
+  if (!correction.empty()) {
+    correct([&](std::int64_t stamp_ns, const Position& point, const std::string& robot) {
+      return correction.moved(stamp_ns, point, robot);
+    });
+  }
+}
+
+void Mapper::correct(
+    const std::function<Position(std::int64_t, const Position&, const std::string&)>& moved) {
+  store_->correct(moved);
+}
+
 Box Mapper::extent() const { return store_->extentOf(store_->inliers()); }
 void Mapper::growTo(const Box& extent) { store_->growTo(extent); }
 void Mapper::reset() { store_->reset(); }

@@ -155,20 +155,17 @@ void ReadingStore::recordRejected(const std::string& reason, std::size_t count) 
   rejections_.before_insertion[reason] += count;
 }
 
-void ReadingStore::correct(const PathCorrection& correction) {
-  if (correction.empty()) {
-    return;
-  }
+void ReadingStore::correct(
+    const std::function<Position(std::int64_t, const Position&, const std::string&)>& moved) {
   for (Reading& reading : readings_) {
     reading.antenna_in_map =
-        rounded(correction.moved(reading.stamp_ns, reading.antenna_in_map, reading.robot));
+        rounded(moved(reading.stamp_ns, reading.antenna_in_map, reading.robot));
   }
   for (Contact& contact : contacts_) {
-    contact.point_in_map =
-        rounded(correction.moved(contact.stamp_ns, contact.point_in_map, contact.robot));
+    contact.point_in_map = rounded(moved(contact.stamp_ns, contact.point_in_map, contact.robot));
   }
   for (PathPose& pose : poses_) {
-    pose.antenna_in_map = rounded(correction.moved(pose.stamp_ns, pose.antenna_in_map, pose.robot));
+    pose.antenna_in_map = rounded(moved(pose.stamp_ns, pose.antenna_in_map, pose.robot));
   }
   if (!reserveAll()) {
     dropWhatDoesNotFit();

@@ -13,7 +13,6 @@
 #include "mapping/inliers.h"
 #include "mapping/map_extent.h"
 #include "structure_from_wifi/config.h"
-#include "structure_from_wifi/path_correction.h"
 #include "structure_from_wifi/recording_findings.h"
 #include "structure_from_wifi/snapshot.h"
 #include "structure_from_wifi/types.h"
@@ -36,7 +35,8 @@ class ReadingStore {
                           const std::string& robot);
   void recordRejected(const std::string& reason, std::size_t count);
   void recordFrames(const FrameFinding& frames) { frames_ = frames; }
-  void correct(const PathCorrection& correction);
+  void correct(
+      const std::function<Position(std::int64_t, const Position&, const std::string&)>& moved);
   void growTo(const Box& extent) { extent_.growTo(extent); }
   void reset();
   std::pair<std::size_t, std::size_t> forget(

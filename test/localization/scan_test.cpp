@@ -28,6 +28,17 @@ TEST(ScansOf, GroupsReadingsOfAShortTimeAndAveragesABssid) {
   EXPECT_EQ(wayOf(scans), std::vector<double>({0.0, 2.0}));
 }
 
+TEST(StretchesOf, GroupsReadingsOfAShortWay) {
+  const std::vector<Scan> stretches =
+      stretchesOf({reading(0.0, 0.0, 0, -40.0), reading(9.0, 0.4, 0, -44.0),
+                   reading(9.1, 0.6, 0, -50.0), reading(9.2, 0.0, 0, -60.0)},
+                  0.5);
+  ASSERT_EQ(stretches.size(), 3U);
+  EXPECT_DOUBLE_EQ(stretches[0].position.x(), 0.2);
+  EXPECT_DOUBLE_EQ(stretches[0].heard[0].second, -42.0);
+  EXPECT_EQ(stretches[1].stamp_ns, 9'100'000'000);
+}
+
 TEST(ScansOf, KeepRobotsApart) {
   std::vector<Reading> readings = {reading(0.0, 1.0, 0, -40.0), reading(0.1, 9.0, 0, -80.0),
                                    reading(5.0, 2.0, 0, -50.0), reading(5.1, 8.0, 0, -70.0)};
