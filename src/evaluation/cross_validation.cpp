@@ -2,10 +2,12 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include "base/limited_loss.h"
+#include "evaluation/signal_baselines.h"
 #include "path/building_frame.h"
 #include "radio/nearest_neighbours.h"
 #include "radio/path_loss.h"
@@ -21,12 +23,22 @@ constexpr double kGridMargin = 0.5;  // [m]
 constexpr std::int64_t kMostCells = 16'000'000;
 constexpr std::size_t kFewestBins = 8;
 constexpr std::size_t kNeighbours = 16;
+constexpr std::array<double, 4> kKernelsM{0.5, 1.0, 2.0, 4.0};  // of MRPT
 
 /// One access point in a fold.
 struct Part {
   AccessPointBins known;
   AccessPointBins hidden;
 };
+
+/// The means of bins, building frame.
+std::vector<Sample> samplesOf(const AccessPointBins& access_point) {
+  std::vector<Sample> samples;
+  for (const RadioBin& bin : access_point.bins) {
+    samples.push_back({bin.position, bin.rssi_dbm});
+  }
+  return samples;
+}
 
 /// Signals at some bins, with the inputs of their prediction.
 struct Bins {
@@ -148,8 +160,13 @@ class Prediction {
       return std::nullopt;
     }
     return PredictionMetrics{
-        bins_, rootMeanSquare(distance_.mean, bins_), rootMeanSquare(walls_.mean, bins_),
-        rootMeanSquare(distance_.shadowed, bins_), rootMeanSquare(walls_.shadowed, bins_)};
+        bins_,
+        rootMeanSquare(distance_.mean, bins_),
+        rootMeanSquare(walls_.mean, bins_),
+        rootMeanSquare(distance_.shadowed, bins_),
+        rootMeanSquare(walls_.shadowed, bins_),
+        rootMeanSquare(kriging_db2_, bins_),
+        rootMeanSquare(*std::min_element(mrpt_db2_.begin(), mrpt_db2_.end()), bins_)};
   }
 
  private:
@@ -206,6 +223,12 @@ class Prediction {
     for (const Part& part : parts) {
       add(part, nullptr, distance_);
       add(part, &field, walls_);
+      const std::vector<Sample> known_means = samplesOf(part.known);
+      const std::vector<Position> places = positionsOf(part.hidden);
+      addErrors(part.hidden, predictByKriging(known_means, places), kriging_db2_);
+      for (std::size_t i = 0; i < kKernelsM.size(); ++i) {
+        addErrors(part.hidden, predictByMrpt(known_means, places, kKernelsM[i]), mrpt_db2_[i]);
+      }
       bins_ += part.hidden.bins.size();
     }
   }
@@ -237,12 +260,22 @@ class Prediction {
     }
   }
 
+  static void addErrors(const AccessPointBins& hidden, const std::vector<double>& predicted_dbm,
+                        double& sum_db2) {
+    for (std::size_t i = 0; i < predicted_dbm.size(); ++i) {
+      const double error_db = hidden.bins[i].rssi_dbm - predicted_dbm[i];
+      sum_db2 += error_db * error_db;
+    }
+  }
+
   std::vector<Reading> readings_;
   const std::vector<AccessPoint>& access_points_;
   const PredictionConfig& config_;
   BuildingFrame frame_;
   SquaredErrors distance_;
   SquaredErrors walls_;
+  double kriging_db2_ = 0.0;  // sums of squared errors
+  std::array<double, kKernelsM.size()> mrpt_db2_{};
   std::size_t bins_ = 0;
 };
 

@@ -61,4 +61,7 @@ class SignalField {
 /// The cost is bounded by 250 bins and 600 places of the source: 10 ms.
 SignalLaw learnSignalLaw(const std::vector<Sample>& samples, std::optional<Position> place);
 
+/// The same with a constant mean.
+SignalLaw learnConstantLaw(const std::vector<Sample>& samples);
+
 }  // namespace sfw

@@ -151,13 +151,18 @@ void climb(LawLikelihood& likelihood, SignalLaw& law) {
   likelihood.setCovariance(law.covariance);
 }
 
+SignalLaw startingLaw(const LawLikelihood& likelihood) {
+  SignalLaw law = priorLaw();
+  law.noise_db2 = likelihood.bins().noise_db2;
+  return law;
+}
+
 }  // namespace
 
 SignalLaw learnSignalLaw(const std::vector<Sample>& samples, std::optional<Position> place) {
   constexpr std::size_t kFewestBins = 6;  // fewer determine no source
   LawLikelihood likelihood(signalBins(samples));
-  SignalLaw law = priorLaw();
-  law.noise_db2 = likelihood.bins().noise_db2;
+  SignalLaw law = startingLaw(likelihood);
   law.source = place;
   likelihood.setCovariance(law.covariance);
   const bool search = !place && likelihood.bins().positions.size() >= kFewestBins;
@@ -168,6 +173,13 @@ SignalLaw learnSignalLaw(const std::vector<Sample>& samples, std::optional<Posit
   if (search) {
     findSource(likelihood, law);
   }
+  return law;
+}
+
+SignalLaw learnConstantLaw(const std::vector<Sample>& samples) {
+  LawLikelihood likelihood(signalBins(samples));
+  SignalLaw law = startingLaw(likelihood);
+  climb(likelihood, law);
   return law;
 }
 

@@ -60,6 +60,14 @@ TEST(Prediction, IsExactWhereOnlyDistanceMatters) {
   EXPECT_LT(metrics.distance_shadowed_db, 0.2);
 }
 
+TEST(Prediction, BaselinesKnowNoDistance) {
+  const PredictionMetrics metrics = metricsOf(Hall(0.0, 0.0));
+  EXPECT_GT(metrics.kriging_db, 2.0 * metrics.distance_db);
+  EXPECT_LT(metrics.kriging_db, 2.0);
+  EXPECT_GT(metrics.mrpt_db, metrics.kriging_db);
+  EXPECT_LT(metrics.mrpt_db, 4.0);
+}
+
 TEST(Prediction, LearnsOfAWallFromOtherStretches) {
   const PredictionMetrics metrics = metricsOf(Hall(9.0, 1.0));
   EXPECT_GT(metrics.distance_db, 2.0);

@@ -98,7 +98,9 @@ nlohmann::json toJson(const PredictionMetrics& metrics) {
           {"distance_db", metrics.distance_db},
           {"walls_db", metrics.walls_db},
           {"distance_shadowed_db", metrics.distance_shadowed_db},
-          {"walls_shadowed_db", metrics.walls_shadowed_db}};
+          {"walls_shadowed_db", metrics.walls_shadowed_db},
+          {"kriging_db", metrics.kriging_db},
+          {"mrpt_db", metrics.mrpt_db}};
 }
 
 /// The errors of predicted signals, if --prediction is given.

@@ -89,7 +89,7 @@ void printAblations(std::ostream& out, const MapMetrics& map, const AblationMetr
 }
 
 void printPrediction(std::ostream& out, const PredictionMetrics& metrics) {
-  const auto print = [&](const char* text, double mean, double shadowed) {
+  const auto print = [&](const char* text, std::optional<double> mean, double shadowed) {
     out << std::left << std::setw(kTextWidth) << text << std::right;
     printValue(out, mean);
     printValue(out, shadowed);
@@ -100,6 +100,8 @@ void printPrediction(std::ostream& out, const PredictionMetrics& metrics) {
       << std::right << std::setw(kWidth) << "alone" << std::setw(kWidth) << "+ nearest" << '\n';
   print("distance", metrics.distance_db, metrics.distance_shadowed_db);
   print("distance and walls", metrics.walls_db, metrics.walls_shadowed_db);
+  print("neither: ordinary kriging", std::nullopt, metrics.kriging_db);
+  print("neither: CWirelessPowerGridMap2D of MRPT", std::nullopt, metrics.mrpt_db);
 }
 
 }  // namespace sfw
