@@ -118,7 +118,20 @@ std::vector<double> centresBetween(double low, double high, double edge_m) {
   return centres;
 }
 
-std::vector<Patch> coarsePatches(AccessPointLikelihood& likelihood) {
+/// Sets the log likelihoods of all patches.
+void rate(const AccessPointLikelihood& likelihood, std::vector<Patch>& patches) {
+  std::vector<Position> centres;
+  centres.reserve(patches.size());
+  for (const Patch& patch : patches) {
+    centres.push_back(patch.centre);
+  }
+  const std::vector<double> log_likelihoods = likelihood.at(centres);
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    patches[i].log_likelihood = log_likelihoods[i];
+  }
+}
+
+std::vector<Patch> coarsePatches(const AccessPointLikelihood& likelihood) {
   const Box box = searchedArea(likelihood.accessPoint().bins);
   const Position& low = box.min();
   const Position size = box.sizes();
@@ -126,14 +139,15 @@ std::vector<Patch> coarsePatches(AccessPointLikelihood& likelihood) {
   std::vector<Patch> patches;
   for (const double y : centresBetween(low.y(), low.y() + size.y(), edge)) {
     for (const double x : centresBetween(low.x(), low.x() + size.x(), edge)) {
-      patches.push_back({{x, y}, edge, likelihood.at({x, y})});
+      patches.push_back({{x, y}, edge, 0.0});
     }
   }
+  rate(likelihood, patches);
   return patches;
 }
 
 /// Quarters the most likely patches.
-void refine(AccessPointLikelihood& likelihood, std::vector<Patch>& patches) {
+void refine(const AccessPointLikelihood& likelihood, std::vector<Patch>& patches) {
   std::stable_sort(patches.begin(), patches.end(), moreLikely);
   const double least = patches.front().log_likelihood - kNegligible;
   std::vector<Patch> quarters;
@@ -145,11 +159,11 @@ void refine(AccessPointLikelihood& likelihood, std::vector<Patch>& patches) {
     }
     for (const double y : {-0.25, 0.25}) {
       for (const double x : {-0.25, 0.25}) {
-        const Position centre = patch.centre + patch.edge_m * Position(x, y);
-        quarters.push_back({centre, 0.5 * patch.edge_m, likelihood.at(centre)});
+        quarters.push_back({patch.centre + patch.edge_m * Position(x, y), 0.5 * patch.edge_m, 0.0});
       }
     }
   }
+  rate(likelihood, quarters);
   patches.erase(patches.begin(), patches.begin() + static_cast<std::ptrdiff_t>(done));
   patches.insert(patches.end(), quarters.begin(), quarters.end());
 }
@@ -188,7 +202,7 @@ double largestDeviation(const Eigen::Matrix2d& covariance) {
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(covariance).eigenvalues().maxCoeff());
 }
 
-std::optional<AccessPointEstimate> search(AccessPointLikelihood& likelihood) {
+std::optional<AccessPointEstimate> search(const AccessPointLikelihood& likelihood) {
   const std::vector<RadioBin>& bins = likelihood.accessPoint().bins;
   std::vector<Patch> patches = coarsePatches(likelihood);
   for (int i = 0; i < kRefinements; ++i) {
@@ -227,12 +241,12 @@ std::vector<Position> evenlySpread(const Box& area) {
 }
 
 /// The likeliest of some positions.
-std::vector<Position> likeliest(AccessPointLikelihood likelihood,
+std::vector<Position> likeliest(const AccessPointLikelihood& likelihood,
                                 const std::vector<Position>& positions) {
   constexpr std::size_t kMost = 12;
   std::vector<std::pair<double, std::size_t>> rated;  // the likeliest first
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    rated.emplace_back(-likelihood.at(positions[i]), i);
+  for (const double log_likelihood : likelihood.at(positions)) {
+    rated.emplace_back(-log_likelihood, rated.size());
   }
   std::sort(rated.begin(), rated.end());
   std::vector<Position> best;
@@ -259,10 +273,8 @@ AccessPointLikelihood withBestShadowing(const AccessPointBins& access_point) {
   for (const double distance_m : {1.5, 4.0}) {
     for (const double deviation_db : {1.0, 2.0, 3.0, 4.0, 5.5, 7.5}) {
       AccessPointLikelihood likelihood(access_point, {deviation_db, distance_m});
-      double evidence = -std::numeric_limits<double>::infinity();
-      for (const Position& position : positions) {
-        evidence = std::max(evidence, likelihood.at(position));
-      }
+      const std::vector<double> rated = likelihood.at(positions);
+      double evidence = *std::max_element(rated.begin(), rated.end());
       const double unusual = std::log(deviation_db / kUsualDb) / kFactor;
       evidence -= 0.5 * unusual * unusual;
       if (evidence > most) {
@@ -288,14 +300,14 @@ std::optional<AccessPointLikelihood> likelihoodOf(const std::vector<Sample>& sam
 
 std::optional<AccessPointEstimate> estimateAccessPoint(const std::vector<Sample>& samples,
                                                        std::optional<double> height_m) {
-  std::optional<AccessPointLikelihood> likelihood = likelihoodOf(samples, height_m);
+  const std::optional<AccessPointLikelihood> likelihood = likelihoodOf(samples, height_m);
   return likelihood ? search(*likelihood) : std::nullopt;
 }
 
 std::optional<AccessPointFit> accessPointFit(const std::vector<Sample>& samples,
                                              const Position& configured,
                                              std::optional<double> height_m) {
-  std::optional<AccessPointLikelihood> likelihood = likelihoodOf(samples, height_m);
+  const std::optional<AccessPointLikelihood> likelihood = likelihoodOf(samples, height_m);
   const std::optional<AccessPointEstimate> estimate =
       likelihood ? search(*likelihood) : std::nullopt;
   if (!estimate) {

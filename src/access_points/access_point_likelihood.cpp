@@ -1,6 +1,8 @@
 #include "access_points/access_point_likelihood.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -11,8 +13,6 @@ namespace {
 
 constexpr int kTerms = AccessPointLikelihood::kTerms;
 using Terms = Eigen::Matrix<double, kTerms, 1>;
-
-constexpr double kUsualRiseM = 0.8;  // from antenna to access point, where the height is unknown
 
 // These maximise the likelihood of the true positions in simulation (doc/results/ablations.md).
 Terms priorMean() {
@@ -32,24 +32,41 @@ SignalCovariance covarianceFor(const AccessPointLikelihood::Shadowing& shadowing
 
 AccessPointLikelihood::AccessPointLikelihood(AccessPointBins access_point,
                                              const Shadowing& shadowing)
-    : access_point_(std::move(access_point)), whitener_(access_point_, covarianceFor(shadowing)) {
+    : access_point_(std::move(access_point)),
+      whitener_(access_point_, covarianceFor(shadowing)),
+      terms_(access_point_) {
   const auto count = static_cast<Eigen::Index>(access_point_.bins.size());
-  x_.resize(count);
-  y_.resize(count);
   signals_.resize(count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    const RadioBin& bin = access_point_.bins[static_cast<std::size_t>(i)];
-    x_[i] = bin.position.x();
-    y_[i] = bin.position.y();
-    signals_[i] = bin.rssi_dbm;
+    signals_[i] = access_point_.bins[static_cast<std::size_t>(i)].rssi_dbm;
   }
   log_determinant_ = whitener_.logDeterminant();
   white_signals_ = whitener_.whitened(signals_);
   white_ones_ = whitener_.whitened(Eigen::VectorXd(Eigen::VectorXd::Ones(count)));
 }
 
-double AccessPointLikelihood::at(const Position& position) const {
-  const Moments moments = momentsAt(position);
+std::vector<double> AccessPointLikelihood::at(const std::vector<Position>& positions) const {
+  std::vector<double> result;
+  result.reserve(positions.size());
+  std::vector<LawTerms> terms, white;
+  for (std::size_t first = 0; first < positions.size(); first += kPositionLanes) {
+    std::array<Position, kPositionLanes> lanes;
+    for (std::size_t lane = 0; lane < kPositionLanes; ++lane) {
+      lanes[lane] = positions[std::min(first + lane, positions.size() - 1)];
+    }
+    terms_.at(lanes, terms);
+    for (const LawProducts& products :
+         productsOf(terms, whitener_, white_ones_, white_signals_, white)) {
+      if (result.size() < positions.size()) {
+        result.push_back(logLikelihood(products));
+      }
+    }
+  }
+  return result;
+}
+
+double AccessPointLikelihood::logLikelihood(const LawProducts& products) const {
+  const Moments moments = momentsOf(products);
   const Eigen::LLT<Information> factor(moments.information);
   const double half_log_determinant = factor.matrixLLT().diagonal().array().log().sum();
   return 0.5 * (moments.pull.dot(factor.solve(moments.pull)) - moments.residual) -
@@ -57,46 +74,27 @@ double AccessPointLikelihood::at(const Position& position) const {
 }
 
 double AccessPointLikelihood::residualAt(const Position& position) const {
-  const Moments moments = momentsAt(position);
+  std::array<Position, kPositionLanes> lanes;
+  lanes.fill(position);
+  std::vector<LawTerms> terms, white;
+  terms_.at(lanes, terms);
+  const Moments moments =
+      momentsOf(productsOf(terms, whitener_, white_ones_, white_signals_, white).front());
   const Terms law = priorMean() + priorDeviation().cwiseProduct(
                                       Terms(moments.information.llt().solve(moments.pull)));
-  const Eigen::VectorXd expected = basisAt(position) * law.tail<kTerms - 1>();
+  Eigen::Matrix<double, Eigen::Dynamic, kTerms - 1, Eigen::RowMajor> basis(signals_.size(),
+                                                                           kTerms - 1);
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    for (std::size_t term = 0; term < kLawTerms; ++term) {
+      basis(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(term)) = terms[i][term][0];
+    }
+  }
+  const Eigen::VectorXd expected = basis * law.tail<kTerms - 1>();
   return ((signals_ - expected).array() - law[0]).matrix().norm() /
          std::sqrt(static_cast<double>(signals_.size()));
 }
 
-AccessPointLikelihood::Basis AccessPointLikelihood::basisAt(const Position& position) const {
-  const Eigen::ArrayXd away_x = x_ - position.x();
-  const Eigen::ArrayXd away_y = y_ - position.y();
-  Eigen::ArrayXd squares =
-      spaceDistance(away_x.square() + away_y.square(), access_point_.height_m).square();
-  if (!access_point_.height_m) {
-    // Without a difference of height the distance could be 0. Then readings near the access point
-    // would determine its position to the decimetre.
-    squares += kUsualRiseM * kUsualRiseM;
-  }
-  const Eigen::ArrayXd distance = squares.sqrt();
-  const Eigen::ArrayXd way_x = away_x / distance;
-  const Eigen::ArrayXd way_y = away_y / distance;
-  Basis basis(signals_.size(), kTerms - 1);
-  basis.col(0) = 10.0 / std::log(10.0) * distance.log();
-  basis.col(1) = distance;
-  basis.col(2) = way_x;
-  basis.col(3) = way_y;
-  basis.col(4) = way_x.square() - way_y.square();
-  basis.col(5) = 2.0 * way_x * way_y;
-  return basis;
-}
-
-AccessPointLikelihood::Moments AccessPointLikelihood::momentsAt(const Position& position) const {
-  const Basis white = whitener_.whitened(basisAt(position));
-  Eigen::Matrix<double, kTerms + 1, kTerms + 1> products;
-  products.setZero();
-  for (Eigen::Index i = 0; i < white.rows(); ++i) {
-    Eigen::Matrix<double, kTerms + 1, 1> row;
-    row << white_ones_[i], white.row(i).transpose(), white_signals_[i];
-    products.noalias() += row * row.transpose();
-  }
+AccessPointLikelihood::Moments AccessPointLikelihood::momentsOf(const LawProducts& products) {
   const Information squares = products.topLeftCorner<kTerms, kTerms>();
   const Terms with_signals = products.topRightCorner<kTerms, 1>();
   const Terms mean = priorMean();

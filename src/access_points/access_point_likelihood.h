@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
+#include "access_points/law_terms.h"
 #include "radio/radio_bins.h"
 #include "radio/shadowing.h"
 #include "structure_from_wifi/types.h"
@@ -15,7 +17,7 @@ class AccessPointLikelihood {
   /// Power, exponent, loss for each metre, and the first and second harmonic of the bearing. The
   /// harmonics are for access points that send more power to one side: by their antenna, by a wall
   /// behind them, or by a corridor. Without them the estimate moves to that side.
-  static constexpr int kTerms = 7;
+  static constexpr int kTerms = 1 + static_cast<int>(kLawTerms);
 
   /// Shadow fading by everything that the model leaves out, walls included.
   struct Shadowing {
@@ -26,9 +28,10 @@ class AccessPointLikelihood {
   /// @param access_point  its bins and height; its position is not used
   AccessPointLikelihood(AccessPointBins access_point, const Shadowing& shadowing);
 
-  /// Log likelihood of a position [m], up to a constant that is the same for all positions and
-  /// shadowings. O(bins).
-  double at(const Position& position) const;
+  /// Log likelihoods of positions [m], up to a constant that is the same for all positions and
+  /// shadowings. O(positions x bins).
+  std::vector<double> at(const std::vector<Position>& positions) const;
+  double at(const Position& position) const { return at(std::vector{position}).front(); }
 
   /// Root mean square of the signals' residuals to the law fitted for a position [dB].
   double residualAt(const Position& position) const;
@@ -39,9 +42,6 @@ class AccessPointLikelihood {
   using Terms = Eigen::Matrix<double, kTerms, 1>;
   using Information = Eigen::Matrix<double, kTerms, kTerms>;
 
-  /// All but the first term, which is one everywhere.
-  using Basis = Eigen::Matrix<double, Eigen::Dynamic, kTerms - 1, Eigen::RowMajor>;
-
   /// Sums of squares and products of whitened terms and signals, all scaled by the priors.
   struct Moments {
     Information information;  // includes that of the priors
@@ -49,13 +49,13 @@ class AccessPointLikelihood {
     double residual;          // sum of squares of the residuals to the prior mean
   };
 
-  Basis basisAt(const Position& position) const;
-  Moments momentsAt(const Position& position) const;
+  static Moments momentsOf(const LawProducts& products);
+  double logLikelihood(const LawProducts& products) const;
 
   AccessPointBins access_point_;
   ShadowingWhitener whitener_;
   double log_determinant_ = 0.0;  // of the whitener
-  Eigen::ArrayXd x_, y_;          // of the bins [m]
+  LawTermsAtBins terms_;
   Eigen::VectorXd signals_;
   Eigen::VectorXd white_ones_;
   Eigen::VectorXd white_signals_;

@@ -1,5 +1,6 @@
 #include "radio/path_loss.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
@@ -30,15 +31,14 @@ double squaresAroundLaw(const AccessPointBins& access_point, const std::vector<d
 
 }  // namespace
 
-Eigen::ArrayXd spaceDistance(const Eigen::ArrayXd& squares_m2, std::optional<double> height_m) {
-  const double rise = height_m ? *height_m - kAntennaHeightM : 0.0;
-  return (squares_m2.max(kNearFieldM * kNearFieldM) + rise * rise).sqrt();
+double antennaToAccessPoint(std::optional<double> height_m) {
+  return height_m ? *height_m - kAntennaHeightM : 0.0;
 }
 
 double logDistance(const AccessPointBins& access_point, const Position& antenna) {
   const double on_floor = std::max((antenna - access_point.position).norm(), kNearFieldM);
   const double distance = access_point.height_m
-                              ? std::hypot(on_floor, *access_point.height_m - kAntennaHeightM)
+                              ? std::hypot(on_floor, antennaToAccessPoint(access_point.height_m))
                               : on_floor;
   return 10.0 * std::log10(distance);
 }

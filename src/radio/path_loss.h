@@ -1,6 +1,7 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -13,12 +14,16 @@ namespace sfw {
 constexpr double kPriorPowerDbm = -37.0;  ///< received power at 1 m
 constexpr double kPriorExponent = 2.1;    ///< of the path loss
 
-/// Distances in space [m] from squared distances on the floor [m2].
-///
-/// Distances on the floor count as at least 0.3 m. If the height of the access point above the
-/// floor is known, the antenna is assumed to be 0.6 m above the floor. Otherwise both are assumed
-/// to be at one height.
-Eigen::ArrayXd spaceDistance(const Eigen::ArrayXd& squares_m2, std::optional<double> height_m);
+/// The height of an access point above the antenna [m]. If it is known above the floor, the antenna
+/// is assumed to be 0.6 m above the floor. Otherwise both are assumed to be at one height.
+double antennaToAccessPoint(std::optional<double> height_m);
+
+/// A distance in space [m] from its square on the floor [m2], which counts as at least that of
+/// kNearFieldM.
+/// @param rise_m  as of antennaToAccessPoint
+inline double spaceDistance(double square_m2, double rise_m) {
+  return std::sqrt(std::max(square_m2, kNearFieldM * kNearFieldM) + rise_m * rise_m);
+}
 
 /// 10 log10 of the distance in space in metres, as of spaceDistance: the factor of the exponent in
 /// the log-distance law.

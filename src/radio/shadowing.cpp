@@ -179,8 +179,8 @@ Eigen::VectorXd SignalPrecision::times(const Eigen::VectorXd& residual) const {
 SignalPrecisionF::SignalPrecisionF(const SignalPrecision& exact)
     : solved_basis_(exact.solved_basis_.cast<float>()),
       capacitance_(exact.capacitance_.cast<float>()) {
-  rows_.reserve(exact.whitener_.rows_.size());
-  for (const ShadowingWhitener::Row<double>& row : exact.whitener_.rows_) {
+  rows_.reserve(exact.whitener_.rows().size());
+  for (const ShadowingWhitener::Row<double>& row : exact.whitener_.rows()) {
     rows_.push_back({row.index, {}});
     std::transform(row.weight.begin(), row.weight.end(), rows_.back().weight.begin(),
                    [](double weight) { return static_cast<float>(weight); });

@@ -39,9 +39,6 @@ class ShadowingWhitener {
   /// Logarithm of the determinant of L.
   double logDeterminant() const;
 
- private:
-  friend class SignalPrecisionF;
-
   /// With 12 neighbours, the variance of most sums of signals is right within a seventh. The
   /// variance of the worst sum is right within a half. Shadowing itself is known less accurately.
   static constexpr int kNeighbours = 12;
@@ -54,6 +51,10 @@ class ShadowingWhitener {
     std::array<Scalar, kNeighbours + 1> weight;
   };
 
+  /// The rows of L, from coarse to fine.
+  const std::vector<Row<double>>& rows() const { return rows_; }
+
+ private:
   /// Sets the neighbours of all rows.
   /// @return how many each row has.
   std::vector<int> findNeighbours(const std::vector<Position>& positions);

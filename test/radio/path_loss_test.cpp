@@ -11,12 +11,11 @@ namespace {
 const Position kAccessPoint(5.0, 5.0);
 
 TEST(SpaceDistance, AddsTheRiseToTheAccessPoint) {
-  const Eigen::ArrayXd squares_m2 = (Eigen::ArrayXd(3) << 0.0, 2.25, 25.0).finished();
-  const Eigen::ArrayXd level = spaceDistance(squares_m2, std::nullopt);
-  EXPECT_DOUBLE_EQ(level[0], 0.3);
-  EXPECT_DOUBLE_EQ(level[1], 1.5);
-  EXPECT_DOUBLE_EQ(level[2], 5.0);
-  EXPECT_DOUBLE_EQ(spaceDistance(squares_m2, 2.6)[1], 2.5);
+  const double level = antennaToAccessPoint(std::nullopt);
+  EXPECT_DOUBLE_EQ(spaceDistance(0.0, level), 0.3);
+  EXPECT_DOUBLE_EQ(spaceDistance(2.25, level), 1.5);
+  EXPECT_DOUBLE_EQ(spaceDistance(25.0, level), 5.0);
+  EXPECT_DOUBLE_EQ(spaceDistance(2.25, antennaToAccessPoint(2.6)), 2.5);
 }
 
 TEST(LogDistance, IsThatInSpaceAndAtLeastThirtyCentimetres) {
