@@ -1,56 +1,78 @@
 #include "structure_from_wifi/belief_map.h"
 
-#include <mrpt/maps/COccupancyGridMap2D.h>
+#include <mrpt/maps/CLogOddsGridMapLUT.h>
 
+#include <mutex>
 #include <stdexcept>
+#include <utility>
+
+#include "files/mrpt_library.h"
 
 namespace sfw {
 namespace {
 
-using MrptGrid = mrpt::maps::COccupancyGridMap2D;
+using MrptTables = mrpt::maps::CLogOddsGridMapLUT<std::int8_t>;
 
-std::shared_ptr<MrptGrid> emptyGrid(const GridGeometry& geometry) {
-  const Box box = geometry.box();
-  const char* const too_far = "geometry is too large or too far from the origin for MRPT";
-  if (geometry.origin().cwiseAbs().maxCoeff() / geometry.resolution() >
-      GridGeometry::kFarthestMap) {
-    throw std::invalid_argument(too_far);  // otherwise MRPT fails later, or not at all
-  }
-  auto grid = std::make_shared<MrptGrid>(
-      static_cast<float>(box.min().x()), static_cast<float>(box.max().x()),
-      static_cast<float>(box.min().y()), static_cast<float>(box.max().y()),
-      static_cast<float>(geometry.resolution()));
-  // MRPT calculates the size from extents in float. It must equal our size.
-  if (grid->getSizeX() != geometry.width() || grid->getSizeY() != geometry.height()) {
-    throw std::invalid_argument(too_far);
-  }
-  grid->fill(0.5F);
-  return grid;
+/// MRPT's own tables, which its headers make without its libraries.
+MrptTables& tables() {
+  static MrptTables tables;
+  return tables;
 }
 
-std::shared_ptr<MrptGrid> gridOf(const Grid<float>& occupied) {
-  const GridGeometry& geometry = occupied.geometry;
-  std::shared_ptr<MrptGrid> grid = emptyGrid(geometry);
-  for (std::int64_t y = 0; y < geometry.height(); ++y) {
-    MrptGrid::cellType* row = grid->getRow(static_cast<int>(y));
-    for (std::int64_t x = 0; x < geometry.width(); ++x) {
-      const float p = occupied[Cell{x, y}];
-      // MRPT stores the probability of free space. It reads outside its tables for any other
-      // number, NaN included.
-      const bool valid = p >= 0.0F && p <= 1.0F;
-      row[x] = MrptGrid::p2l(valid ? 1.0F - p : 0.5F);
-    }
+std::vector<std::int8_t> logOddsOf(const Grid<float>& occupied) {
+  MrptTables& mrpt = tables();
+  std::vector<std::int8_t> log_odds;
+  log_odds.reserve(occupied.cells.size());
+  for (const float p : occupied.cells) {
+    // MRPT reads outside its tables for any other number, NaN included.
+    const bool valid = p >= 0.0F && p <= 1.0F;
+    log_odds.push_back(mrpt.p2l(valid ? 1.0F - p : 0.5F));
   }
-  return grid;
+  return log_odds;
+}
+
+CellBelief beliefOf(std::int8_t log_odds, const Config::Belief& config) {
+  const float p = 1.0F - tables().l2p(log_odds);
+  const bool known = log_odds != 0;
+  CellState state = CellState::kUnknown;
+  if (known && p < config.free_threshold) {
+    state = CellState::kFree;
+  } else if (known && p > config.occupied_threshold) {
+    state = CellState::kOccupied;
+  }
+  return {p, known, state};
 }
 
 }  // namespace
 
+/// MRPT's grid, at the place where the map was made.
+struct BeliefMap::MrptGrid {
+  explicit MrptGrid(const GridGeometry& of) : geometry(of) {}
+
+  GridGeometry geometry;
+  std::once_flag first_use;
+  std::shared_ptr<const mrpt::maps::COccupancyGridMap2D> grid;
+};
+
+BeliefMap::BeliefMap(const GridGeometry& geometry, const Config::Belief& config,
+                     std::vector<std::int8_t> log_odds)
+    : geometry_(geometry),
+      log_odds_(std::make_shared<const std::vector<std::int8_t>>(std::move(log_odds))),
+      mrpt_grid_(std::make_shared<MrptGrid>(geometry)) {
+  if (geometry.origin().cwiseAbs().maxCoeff() / geometry.resolution() >
+      GridGeometry::kFarthestMap) {
+    throw std::invalid_argument("geometry is too far from the origin");
+  }
+  for (std::size_t i = 0; i < kValues; ++i) {
+    values_[i] = beliefOf(static_cast<std::int8_t>(i), config);
+  }
+}
+
 BeliefMap::BeliefMap(const GridGeometry& geometry, const Config::Belief& config)
-    : geometry_(geometry), config_(config), grid_(emptyGrid(geometry)) {}
+    : BeliefMap(geometry, config, std::vector<std::int8_t>(geometry.size(), tables().p2l(0.5F))) {}
 
 BeliefMap::BeliefMap(const Grid<float>& occupied, const Config::Belief& config)
-    : geometry_(occupied.geometry), config_(config), grid_(gridOf(occupied)) {}
+    : BeliefMap(occupied.geometry, config, logOddsOf(occupied)) {}
 
 BeliefMap BeliefMap::moved(const Position& by) const {
   BeliefMap result = *this;
@@ -59,21 +81,14 @@ BeliefMap BeliefMap::moved(const Position& by) const {
   return result;
 }
 
-float BeliefMap::occupied(Cell c) const {
-  return 1.0F - grid_->getCell(static_cast<int>(c.x), static_cast<int>(c.y));
-}
-
-bool BeliefMap::known(Cell c) const { return grid_->getRow(static_cast<int>(c.y))[c.x] != 0; }
-
-CellState BeliefMap::state(Cell c) const {
-  if (!known(c)) {
-    return CellState::kUnknown;
-  }
-  const float p = occupied(c);
-  if (p < config_.free_threshold) {
-    return CellState::kFree;
-  }
-  return p > config_.occupied_threshold ? CellState::kOccupied : CellState::kUnknown;
+const mrpt::maps::COccupancyGridMap2D& BeliefMap::grid() const {
+  MrptGrid& mrpt = *mrpt_grid_;
+  std::call_once(mrpt.first_use, [&] {
+    const GridGeometry& made = mrpt.geometry;
+    mrpt.grid = mrptFunctions().toGrid(made.box(), made.resolution(), made.width(), made.height(),
+                                       *log_odds_);
+  });
+  return *mrpt.grid;
 }
 
 }  // namespace sfw

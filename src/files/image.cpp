@@ -1,7 +1,6 @@
 #include "files/image.h"
 
-#include <mrpt/img/CImage.h>
-
+#include "files/mrpt_library.h"
 #include "files/pgm.h"
 #include "files/text.h"
 #include "structure_from_wifi/input_error.h"
@@ -9,33 +8,11 @@
 namespace sfw {
 namespace {
 
-constexpr unsigned kChannels = 3;
-
-/// Reads BMP, JPEG, TIFF, PPM and what else OpenCV can.
 TranslucentImage readByOpenCv(const std::string& file) {
-  const std::string advice =
-      "; convert it to PNG, such as with ImageMagick: convert " + file + " map.png";
-  mrpt::img::CImage picture;
-  constexpr int kColour = 1;  // 8 bits for each channel
-  bool is_read = false;
-  try {
-    is_read = picture.loadFromFile(file, kColour);
-  } catch (const std::exception&) {  // OpenCV's error is the same for damage and other formats
-  }
-  if (!is_read) {
-    throw InputError(file + ": the image is damaged, or its format is not known" + advice);
-  }
-  TranslucentImage image;
-  image.grey.width = static_cast<std::int64_t>(picture.getWidth());
-  image.grey.height = static_cast<std::int64_t>(picture.getHeight());
-  for (unsigned row = 0; row < picture.getHeight(); ++row) {
-    for (unsigned column = 0; column < picture.getWidth(); ++column) {
-      unsigned sum = 0;
-      for (unsigned channel = 0; channel < kChannels; ++channel) {
-        sum += picture.at<std::uint8_t>(column, row, channel);
-      }
-      image.grey.pixels.push_back(static_cast<std::uint8_t>((sum + 1) / kChannels));
-    }
+  TranslucentImage image = mrptFunctions().readImage(file);
+  if (image.grey.pixels.empty()) {
+    throw InputError(file + ": the image is damaged, or its format is not known; convert it to " +
+                     "PNG, such as with ImageMagick: convert " + file + " map.png");
   }
   return image;
 }

@@ -28,8 +28,8 @@ std::vector<std::int64_t> halfWidths(double radius_cells) {
 /// The probability of being occupied, 0 where nothing is known.
 Grid<float> risksOf(const BeliefMap& probability) {
   Grid<float> risks(probability.geometry());
-  forEachCell(risks.geometry,
-              [&](Cell c) { risks[c] = probability.known(c) ? probability.occupied(c) : 0.0F; });
+  risks.cells = probability.converted(
+      [](const CellBelief& cell) { return cell.known ? cell.occupied : 0.0F; });
   return risks;
 }
 

@@ -37,9 +37,12 @@ void removeOthers(const std::vector<std::pair<std::string, std::string>>& files,
   }
 }
 
-/// The grey value of a probability: 0 is certainly occupied, 255 certainly free.
-long greyOf(const BeliefMap& belief, Cell c) {
-  return std::lround(255.0 * (1.0 - static_cast<double>(belief.occupied(c))));
+/// The grey values of probabilities: 0 is certainly occupied, 255 certainly free.
+std::vector<std::uint8_t> greysOf(const BeliefMap& belief) {
+  return belief.converted([](const CellBelief& cell) {
+    return static_cast<std::uint8_t>(
+        std::lround(255.0 * (1.0 - static_cast<double>(cell.occupied))));
+  });
 }
 
 /// Costs as grey values, which map_server in mode scale turns into the same costs within 2.
@@ -59,15 +62,16 @@ std::string trinaryPgm(const BeliefMap& belief) {
 }
 
 std::string probabilityPgm(const BeliefMap& belief) {
-  return encodePgm(belief.geometry(), [&](Cell c) { return greyOf(belief, c); });
+  const GridGeometry& geometry = belief.geometry();
+  const std::vector<std::uint8_t> greys = greysOf(belief);
+  return encodePgm(geometry, [&](Cell c) { return greys[geometry.index(c)]; });
 }
 
 std::string probabilityPng(const BeliefMap& belief) {
-  return encodeTransparentPng(belief.geometry(), [&](Cell c) -> std::optional<std::uint8_t> {
-    if (!belief.known(c)) {
-      return std::nullopt;
-    }
-    return static_cast<std::uint8_t>(greyOf(belief, c));
+  const GridGeometry& geometry = belief.geometry();
+  const std::vector<std::uint8_t> greys = greysOf(belief);
+  return encodeTransparentPng(geometry, [&](Cell c) {
+    return belief.known(c) ? std::optional(greys[geometry.index(c)]) : std::nullopt;
   });
 }
 

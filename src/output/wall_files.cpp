@@ -5,7 +5,6 @@
 #include "files/round_length.h"
 #include "files/text.h"
 #include "grid/contour.h"
-#include "grid/for_each_cell.h"
 
 namespace sfw {
 namespace {
@@ -32,8 +31,9 @@ std::vector<Position> cornersOf(const std::vector<Cell>& way, const GridGeometry
 std::vector<std::vector<Position>> freeOutlines(const BeliefMap& belief) {
   constexpr std::size_t kLeastCorners = 3;  // fewer enclose no area
   Mask free(belief.geometry());
-  forEachCell(belief.geometry(),
-              [&](Cell c) { free[c] = belief.state(c) == CellState::kFree ? 1 : 0; });
+  free.cells = belief.converted([](const CellBelief& cell) {
+    return static_cast<std::uint8_t>(cell.state == CellState::kFree ? 1 : 0);
+  });
   std::vector<std::vector<Position>> outlines;
   for (const std::vector<Cell>& way : contours(free)) {
     std::vector<Position> corners = cornersOf(way, belief.geometry());

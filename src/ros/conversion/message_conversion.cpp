@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
-#include "grid/for_each_cell.h"
 #include "structure_from_wifi/octomap_export.h"
 
 namespace sfw {
@@ -28,15 +29,13 @@ std::int8_t toCell(CellState state) {
   return kUnknownCell;
 }
 
-/// A grid message of `value(cell)`.
-template <class Value>
+/// @param values  of all cells, row-major
 nav_msgs::OccupancyGrid toGrid(const GridGeometry& geometry, const std_msgs::Header& header,
-                               Value&& value) {
+                               std::vector<std::int8_t> values) {
   nav_msgs::OccupancyGrid message;
   message.header = header;
   message.info = toMetaData(geometry, header.stamp);
-  message.data.reserve(geometry.size());
-  forEachCell(geometry, [&](Cell c) { message.data.push_back(value(c)); });
+  message.data = std::move(values);
   return message;
 }
 
@@ -115,12 +114,18 @@ nav_msgs::MapMetaData toMetaData(const GridGeometry& geometry, const ros::Time& 
 }
 
 nav_msgs::OccupancyGrid toTrinaryGrid(const BeliefMap& belief, const std_msgs::Header& header) {
-  return toGrid(belief.geometry(), header, [&](Cell c) { return toCell(belief.state(c)); });
+  return toGrid(belief.geometry(), header,
+                belief.converted([](const CellBelief& cell) { return toCell(cell.state); }));
 }
 
 nav_msgs::OccupancyGrid toTrinaryGrid(const Grid<CellState>& states,
                                       const std_msgs::Header& header) {
-  return toGrid(states.geometry, header, [&](Cell c) { return toCell(states[c]); });
+  std::vector<std::int8_t> values;
+  values.reserve(states.cells.size());
+  for (const CellState state : states.cells) {
+    values.push_back(toCell(state));
+  }
+  return toGrid(states.geometry, header, std::move(values));
 }
 
 bool haveSameGeometry(const nav_msgs::MapMetaData& a, const nav_msgs::MapMetaData& b) {
@@ -158,24 +163,27 @@ map_msgs::OccupancyGridUpdate toUpdate(const nav_msgs::OccupancyGrid& before,
 }
 
 nav_msgs::OccupancyGrid toProbabilityGrid(const BeliefMap& belief, const std_msgs::Header& header) {
-  return toGrid(belief.geometry(), header, [&](Cell c) {
-    return belief.known(c) ? static_cast<std::int8_t>(std::lround(100.0F * belief.occupied(c)))
-                           : kUnknownCell;
-  });
+  return toGrid(belief.geometry(), header, belief.converted([](const CellBelief& cell) {
+    return cell.known ? static_cast<std::int8_t>(std::lround(100.0F * cell.occupied))
+                      : kUnknownCell;
+  }));
 }
 
 nav_msgs::OccupancyGrid toCostGrid(const Grid<std::int8_t>& costs, const std_msgs::Header& header) {
-  return toGrid(costs.geometry, header, [&](Cell c) { return costs[c]; });
+  return toGrid(costs.geometry, header, costs.cells);
 }
 
 nav_msgs::OccupancyGrid toWallLossGrid(const Grid<float>& wall_loss_db,
                                        const std_msgs::Header& header) {
   constexpr float kStepsPerDb = 50.0F;
   constexpr float kHighest = 100.0F;
-  return toGrid(wall_loss_db.geometry, header, [&](Cell c) {
-    return static_cast<std::int8_t>(
-        std::lround(std::clamp(kStepsPerDb * wall_loss_db[c], 0.0F, kHighest)));
-  });
+  std::vector<std::int8_t> steps;
+  steps.reserve(wall_loss_db.cells.size());
+  for (const float loss_db : wall_loss_db.cells) {
+    steps.push_back(
+        static_cast<std::int8_t>(std::lround(std::clamp(kStepsPerDb * loss_db, 0.0F, kHighest))));
+  }
+  return toGrid(wall_loss_db.geometry, header, std::move(steps));
 }
 
 structure_from_wifi::Walls toWalls(const Snapshot& snapshot, const std_msgs::Header& header) {
