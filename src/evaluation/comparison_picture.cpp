@@ -94,9 +94,11 @@ void fillState(const Grid<CellState>& states, CellState wanted, const Colour& co
 }
 
 void drawMarks(const EvaluationInput& input, const Colour& path, Canvas& canvas) {
+  std::vector<std::pair<Position, Colour>> dots;
   for (const Position& pose : input.path) {
-    canvas.drawDot(pose, path);
+    dots.emplace_back(pose, path);
   }
+  canvas.drawDots(dots);
   for (const Position& access_point : input.access_points) {
     canvas.drawAccessPoint(access_point, "");
   }

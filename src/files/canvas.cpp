@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <stdexcept>
 
 #include "base/constants.h"
+#include "files/png.h"
 #include "files/round_length.h"
 #include "files/text.h"
 
@@ -95,12 +97,14 @@ void Canvas::setColour(const Colour& colour) {
   cairo_set_source_rgb(context_.get(), colour[0], colour[1], colour[2]);
 }
 
-void Canvas::addCell(const GridGeometry& geometry, Cell cell) {
+void Canvas::addCells(const GridGeometry& geometry, Cell first, std::int64_t count) {
   constexpr double kLeast = 1.0;         // smaller ones would vanish [px]
   constexpr double kOverlap = 1 / 64.0;  // Cairo rounds each to 1/256 px, which leaves seams
   const double side = std::max(kLeast, geometry.resolution() * scale_ + kOverlap);
-  const Position centre = toPixels(geometry.centre(cell));
-  cairo_rectangle(context_.get(), centre.x() - side / 2, centre.y() - side / 2, side, side);
+  const Position low = toPixels(geometry.centre(first));
+  const Position high = toPixels(geometry.centre({first.x + count - 1, first.y}));
+  cairo_rectangle(context_.get(), low.x() - side / 2, low.y() - side / 2, high.x() - low.x() + side,
+                  side);
 }
 
 void Canvas::fillArea(const Colour& colour) {
@@ -109,11 +113,27 @@ void Canvas::fillArea(const Colour& colour) {
   cairo_fill(context_.get());
 }
 
-void Canvas::drawDot(const Position& at, const Colour& colour) {
-  const Position centre = toPixels(at);
-  setColour(colour);
-  cairo_arc(context_.get(), centre.x(), centre.y(), one_row_ ? 2.0 : 2.5, 0.0, 2.0 * kPi);
-  cairo_fill(context_.get());
+void Canvas::drawDots(const std::vector<std::pair<Position, Colour>>& dots) {
+  std::vector<Colour> palette;
+  const auto width = static_cast<std::size_t>(width_) + 1;
+  std::vector<std::uint16_t> last(width * (static_cast<std::size_t>(height_) + 1));  // by pixel
+  for (const auto& [at, colour] : dots) {
+    const Position centre = toPixels(at);
+    const auto found = std::find(palette.begin(), palette.end(), colour);
+    const auto number = static_cast<std::uint16_t>(1 + (found - palette.begin()));
+    if (found == palette.end()) {
+      palette.push_back(colour);
+    }
+    std::uint16_t& before = last.at(static_cast<std::size_t>(centre.y()) * width +
+                                    static_cast<std::size_t>(centre.x()));
+    if (before == number) {
+      continue;
+    }
+    before = number;
+    setColour(colour);
+    cairo_arc(context_.get(), centre.x(), centre.y(), one_row_ ? 2.0 : 2.5, 0.0, 2.0 * kPi);
+    cairo_fill(context_.get());
+  }
 }
 
 void Canvas::drawLine(const Position& from, const Position& to, const Colour& colour,
@@ -250,17 +270,28 @@ void Canvas::drawScaleBar(double top) {
 }
 
 std::string Canvas::png() const {
-  std::string bytes;
-  const auto append = [](void* closure, const unsigned char* data, unsigned int length) {
-    static_cast<std::string*>(closure)->append(reinterpret_cast<const char*>(data), length);
-    return CAIRO_STATUS_SUCCESS;
-  };
-  const cairo_status_t status = cairo_surface_write_to_png_stream(surface_.get(), append, &bytes);
-  if (status != CAIRO_STATUS_SUCCESS) {
+  cairo_surface_flush(surface_.get());
+  if (cairo_surface_status(surface_.get()) != CAIRO_STATUS_SUCCESS ||
+      cairo_status(context_.get()) != CAIRO_STATUS_SUCCESS) {
     throw std::runtime_error(std::string("the picture cannot be drawn: ") +
-                             cairo_status_to_string(status));
+                             cairo_status_to_string(cairo_status(context_.get())));
   }
-  return bytes;
+  const std::int64_t width = cairo_image_surface_get_width(surface_.get());
+  const std::int64_t height = cairo_image_surface_get_height(surface_.get());
+  const unsigned char* row = cairo_image_surface_get_data(surface_.get());
+  std::vector<std::uint8_t> rgb;
+  rgb.reserve(static_cast<std::size_t>(3 * width * height));
+  for (std::int64_t y = 0; y < height; ++y) {
+    for (std::int64_t x = 0; x < width; ++x) {
+      std::uint32_t pixel = 0;  // of CAIRO_FORMAT_RGB24
+      std::memcpy(&pixel, row + x * static_cast<std::int64_t>(sizeof(pixel)), sizeof(pixel));
+      for (const int shift : {16, 8, 0}) {
+        rgb.push_back(static_cast<std::uint8_t>(pixel >> shift));
+      }
+    }
+    row += cairo_image_surface_get_stride(surface_.get());
+  }
+  return encodeRgbPng(width, height, rgb);
 }
 
 }  // namespace sfw

@@ -2,12 +2,13 @@
 
 #include <cairo.h>
 
+#include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "files/colour.h"
-#include "grid/for_each_cell.h"
 #include "structure_from_wifi/grid_geometry.h"
 
 namespace sfw {
@@ -49,7 +50,10 @@ class Canvas {
   template <class Chosen>
   void fillCells(const GridGeometry& geometry, const Colour& colour, Chosen&& chosen);
 
-  void drawDot(const Position& at, const Colour& colour);
+  /// Draws dots, the later ones over the earlier. A robot's path has a pose for each reading, so a
+  /// dot is left out where the last dot in its pixel has the same colour.
+  /// @param dots  in the area, with their colours
+  void drawDots(const std::vector<std::pair<Position, Colour>>& dots);
 
   /// @param width_px  on the picture, whatever its scale
   void drawLine(const Position& from, const Position& to, const Colour& colour, double width_px);
@@ -81,7 +85,9 @@ class Canvas {
   Position toPixels(const Position& point) const;
   void setColour(const Colour& colour);
   void drawNetLine(const Position& from_pixels, const Position& to_pixels);
-  void addCell(const GridGeometry& geometry, Cell cell);
+  /// Adds a row of cells to what the next fill covers. They overlap, so one piece covers the same
+  /// pixels as they do one by one.
+  void addCells(const GridGeometry& geometry, Cell first, std::int64_t count);
   void drawLabel(const std::string& text, const Position& at_pixels);
   double textWidth(const std::string& text) const;
   void drawLegend(const std::vector<LegendEntry>& legend, double first_row, double last_row);
@@ -107,11 +113,18 @@ void Canvas::fillCells(const GridGeometry& geometry, const Colour& colour, Chose
   cairo_clip(context_.get());                                 // no cell covers the border
   cairo_set_antialias(context_.get(), CAIRO_ANTIALIAS_NONE);  // no seams between cells
   setColour(colour);
-  forEachCell(geometry, [&](Cell c) {
-    if (chosen(c)) {
-      addCell(geometry, c);
+  Cell c;
+  for (c.y = 0; c.y < geometry.height(); ++c.y) {
+    std::int64_t first = 0;  // of the cells that are filled in one piece
+    for (c.x = 0; c.x <= geometry.width(); ++c.x) {
+      if (c.x == geometry.width() || !chosen(c)) {
+        if (first < c.x) {
+          addCells(geometry, {first, c.y}, c.x - first);
+        }
+        first = c.x + 1;
+      }
     }
-  });
+  }
   cairo_fill(context_.get());
   cairo_restore(context_.get());
 }

@@ -117,6 +117,24 @@ class PngImage {
   png_image image_{};
 };
 
+/// @param format  of libpng, for the bytes of a pixel
+std::string encoded(std::int64_t width, std::int64_t height, png_uint_32 format,
+                    const std::vector<std::uint8_t>& pixels) {
+  PngImage png;
+  png->width = static_cast<png_uint_32>(width);
+  png->height = static_cast<png_uint_32>(height);
+  png->format = format;
+  png->flags = PNG_IMAGE_FLAG_FAST;  // maps have large areas of one colour: little is lost
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(*png);
+  std::string bytes(size, '\0');
+  if (png_image_write_to_memory(png.get(), bytes.data(), &size, 0, pixels.data(), 0, nullptr) ==
+      0) {
+    throw std::runtime_error(std::string("the image cannot be encoded as PNG: ") + png->message);
+  }
+  bytes.resize(size);
+  return bytes;
+}
+
 }  // namespace
 
 bool isPng(std::string_view bytes) {
@@ -170,17 +188,12 @@ std::string encodePng(const TranslucentImage& image) {
     pairs.push_back(image.grey.pixels[i]);
     pairs.push_back(image.opacity[i]);
   }
-  PngImage png;
-  png->width = static_cast<png_uint_32>(image.grey.width);
-  png->height = static_cast<png_uint_32>(image.grey.height);
-  png->format = PNG_FORMAT_GA;
-  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(*png);
-  std::string bytes(size, '\0');
-  if (png_image_write_to_memory(png.get(), bytes.data(), &size, 0, pairs.data(), 0, nullptr) == 0) {
-    throw std::runtime_error(std::string("the image cannot be encoded as PNG: ") + png->message);
-  }
-  bytes.resize(size);
-  return bytes;
+  return encoded(image.grey.width, image.grey.height, PNG_FORMAT_GA, pairs);
+}
+
+std::string encodeRgbPng(std::int64_t width, std::int64_t height,
+                         const std::vector<std::uint8_t>& rgb) {
+  return encoded(width, height, PNG_FORMAT_RGB, rgb);
 }
 
 }  // namespace sfw

@@ -41,6 +41,11 @@ TranslucentImage readPng(const std::string& file, GreyOf grey = GreyOf::kLuma);
 /// Encodes an image as PNG with 8-bit grey values and opacity.
 std::string encodePng(const TranslucentImage& image);
 
+/// Encodes an opaque picture as PNG.
+/// @param rgb  three bytes for each pixel, top row first
+std::string encodeRgbPng(std::int64_t width, std::int64_t height,
+                         const std::vector<std::uint8_t>& rgb);
+
 /// Encodes `pixel(Cell)`, an optional grey value, as PNG. Cells without a value are transparent;
 /// programs that ignore the opacity see the grey value 128 there.
 template <class Pixel>

@@ -149,10 +149,13 @@ std::string renderPicture(const Snapshot& snapshot) {
     canvas.drawLine(wall.from, wall.to, wallColour(wall.confidence), kWallWidth);
   }
   int most = 0;
+  std::vector<std::pair<Position, Colour>> path;
+  path.reserve(snapshot.path.size());
   for (const PathPose& pose : snapshot.path) {
-    canvas.drawDot(pose.antenna_in_map, wallCountColour(pose.walls));
+    path.emplace_back(pose.antenna_in_map, wallCountColour(pose.walls));
     most = std::max(most, pose.walls);
   }
+  canvas.drawDots(path);
   drawAccessPoints(snapshot, canvas);
   std::vector<LegendEntry> legend;
   for (int walls = 0; walls <= most; ++walls) {
@@ -169,9 +172,12 @@ std::string renderWallLoss(const Grid<float>& wall_loss_db, const Snapshot& snap
   canvas.fillArea(Canvas::kFree);
   fillLosses(wall_loss_db, Canvas::kFree, kLoss, canvas, [](Cell) { return true; });
   canvas.drawAxes();
+  std::vector<std::pair<Position, Colour>> path;
+  path.reserve(snapshot.path.size());
   for (const PathPose& pose : snapshot.path) {
-    canvas.drawDot(pose.antenna_in_map, kPath);
+    path.emplace_back(pose.antenna_in_map, kPath);
   }
+  canvas.drawDots(path);
   drawAccessPoints(snapshot, canvas);
   std::vector<LegendEntry> legend;
   for (int step = 0; step <= kLossSteps; step += 2) {
