@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "base/function_versions.h"
+
 namespace sfw {
 namespace {
 
@@ -18,6 +20,7 @@ Channels withBorder(const Channels& input) {
 }
 
 /// Adds a row of one channel, weighted by a kernel of one cell.
+SFW_FUNCTION_VERSIONS
 void addPoint(const float* from, float weight, std::size_t width, float* to) {
   for (std::size_t x = 0; x < width; ++x) {
     to[x] += weight * from[x];
@@ -25,6 +28,7 @@ void addPoint(const float* from, float weight, std::size_t width, float* to) {
 }
 
 /// Adds three rows of one channel, weighted by a kernel of three by three cells.
+SFW_FUNCTION_VERSIONS
 void addSquare(const float* above, const float* here, const float* below, const float* k,
                std::size_t width, float* to) {
   for (std::size_t x = 0; x < width; ++x) {
