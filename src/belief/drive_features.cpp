@@ -78,8 +78,9 @@ DriveFeatures extractDriveFeatures(const DriveData& drive, const Config& config,
   const BuildingFrame frame = findBuildingFrame(drive.path, config.path.max_gap_m);
   std::vector<Position> driven;
   driven.reserve(drive.path.size());
+  const Eigen::Matrix2d to_building = frame.toBuildingAxes();
   for (const Position& position : drive.path) {
-    driven.push_back(frame.toBuilding(position));
+    driven.emplace_back(to_building * position);
   }
   std::vector<AccessPointBins> access_points;
   for (const AccessPointSamples& one : drive.access_points) {

@@ -4,6 +4,7 @@
 
 #include "belief/free_and_rim.h"
 #include "belief/free_probability.h"
+#include "grid/for_each_cell.h"
 #include "grid/morphology.h"
 #include "grid/robot_evidence.h"
 #include "mapping/walls_on_map.h"
@@ -35,10 +36,10 @@ float interpolated(const Grid<float>& values, const Position& position, float ou
 Grid<float> onMap(const GridGeometry& geometry, const Grid<float>& values,
                   const BuildingFrame& frame, float outside) {
   Grid<float> result(geometry, outside);
-  for (std::size_t i = 0; i < result.cells.size(); ++i) {
-    const Position position = frame.toBuilding(geometry.centre(geometry.cell(i)));
-    result.cells[i] = interpolated(values, position, outside);
-  }
+  const Eigen::Matrix2d to_building = frame.toBuildingAxes();
+  forEachCell(geometry, [&](Cell c) {
+    result[c] = interpolated(values, to_building * geometry.centre(c), outside);
+  });
   return result;
 }
 
@@ -82,14 +83,23 @@ std::vector<WallSegment> segmentsInMap(const std::vector<StripWall>& found,
   return segments;
 }
 
-std::vector<std::vector<double>> sampleLosses(const DriveData& drive,
-                                              const DriveFeatures& features) {
+/// The loss of each sample: that on the ray to its bin, or to itself where the bin was dropped.
+std::vector<std::vector<double>> sampleLosses(const DriveData& drive, const DriveFeatures& features,
+                                              double bin_size_m) {
   std::vector<std::vector<double>> losses_db;
   for (std::size_t i = 0; i < drive.access_points.size(); ++i) {
+    const std::vector<Sample>& samples = drive.access_points[i].samples;
+    const AccessPointBins& binned = features.access_points[i];
+    const std::vector<std::size_t> bin_of =
+        binsOfSamples(samples, binned, features.frame, bin_size_m);
     losses_db.emplace_back();
-    for (const Sample& sample : drive.access_points[i].samples) {
-      losses_db.back().push_back(lossBetween(features.walls, features.access_points[i].position,
-                                             features.frame.toBuilding(sample.antenna_in_map)));
+    losses_db.back().reserve(samples.size());
+    for (std::size_t j = 0; j < samples.size(); ++j) {
+      losses_db.back().push_back(
+          bin_of[j] < binned.bins.size()
+              ? features.walls.ray_loss_db[i][bin_of[j]]
+              : lossBetween(features.walls, binned.position,
+                            features.frame.toBuilding(samples[j].antenna_in_map)));
     }
   }
   return losses_db;
@@ -163,7 +173,7 @@ FusedBelief inferOccupancyByTomography(const GridGeometry& geometry, const Drive
     belief.probability = belief.occupied;
   }
   belief.wall_loss = onMap(geometry, features.walls.loss_db, features.frame, 0.0F);
-  belief.sample_loss_db = sampleLosses(drive, features);
+  belief.sample_loss_db = sampleLosses(drive, features, config.tomography.bin_size_m);
   if (stop) {
     return belief;
   }

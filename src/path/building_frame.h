@@ -18,12 +18,14 @@ struct BuildingFrame {
   double yaw_rad = 0.0;  ///< of the building's x axis in the map frame, in [-pi/4, pi/4)
   Source source = Source::kNone;
 
-  /// Turns map coordinates into building coordinates: a rotation about the map's origin.
-  Position toBuilding(const Position& in_map) const {
-    return Eigen::Rotation2Dd(-yaw_rad) * in_map;
-  }
+  /// Turns map coordinates into building coordinates: a rotation about the map's origin. Take
+  /// toBuildingAxes() for many points.
+  Position toBuilding(const Position& in_map) const { return toBuildingAxes() * in_map; }
+
+  /// The rotation of toBuilding.
+  Eigen::Matrix2d toBuildingAxes() const { return Eigen::Rotation2Dd(-yaw_rad).toRotationMatrix(); }
   Eigen::Matrix2d toBuilding(const Eigen::Matrix2d& covariance_in_map) const {
-    const Eigen::Matrix2d turn = Eigen::Rotation2Dd(-yaw_rad).toRotationMatrix();
+    const Eigen::Matrix2d turn = toBuildingAxes();
     return turn * covariance_in_map * turn.transpose();
   }
   Position toMap(const Position& in_building) const {

@@ -4,9 +4,43 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <type_traits>
 #include <utility>
 
 namespace sfw {
+namespace {
+
+/// Row and column of a square of the floor.
+using Square = std::pair<std::int64_t, std::int64_t>;
+
+/// @param position  [m], building frame
+Square squareAt(const Position& position, double bin_size_m) {
+  return {static_cast<std::int64_t>(std::floor(position.y() / bin_size_m)),
+          static_cast<std::int64_t>(std::floor(position.x() / bin_size_m))};
+}
+
+/// Finds the items of samples in a map by squares. Most samples lie in the square of the one before
+/// them, so most searches are short.
+template <class Find>
+class SquareSearch {
+ public:
+  explicit SquareSearch(Find find) : find_(find) {}
+
+  auto& operator()(const Square& square) {
+    if (found_ == nullptr || square != last_) {
+      found_ = &find_(square);
+      last_ = square;
+    }
+    return *found_;
+  }
+
+ private:
+  Find find_;
+  Square last_;
+  std::remove_reference_t<std::invoke_result_t<Find, Square>>* found_ = nullptr;
+};
+
+}  // namespace
 
 double readingNoise(const std::vector<Sample>& samples) {
   constexpr double kLargestStepDb = 12.0;  // larger ones are outliers, not noise
@@ -28,11 +62,12 @@ AccessPointBins binSamples(const std::vector<Sample>& samples, const Position& a
   binned.position = frame.toBuilding(access_point_in_map);
   binned.height_m = height_m;
   binned.noise_db2 = readingNoise(samples);
-  std::map<std::pair<std::int64_t, std::int64_t>, RadioBin> bins;  // by row, then column
+  std::map<Square, RadioBin> bins;  // by row, then column
+  const Eigen::Matrix2d to_building = frame.toBuildingAxes();
+  SquareSearch binAt([&](const Square& square) -> RadioBin& { return bins[square]; });
   for (const Sample& sample : samples) {
-    const Position position = frame.toBuilding(sample.antenna_in_map);
-    RadioBin& bin = bins[{static_cast<std::int64_t>(std::floor(position.y() / bin_size_m)),
-                          static_cast<std::int64_t>(std::floor(position.x() / bin_size_m))}];
+    const Position position = to_building * sample.antenna_in_map;
+    RadioBin& bin = binAt(squareAt(position, bin_size_m));
     bin.readings += 1.0;
     bin.position += (position - bin.position) / bin.readings;
     bin.rssi_dbm += (sample.rssi_dbm - bin.rssi_dbm) / bin.readings;
@@ -43,6 +78,27 @@ AccessPointBins binSamples(const std::vector<Sample>& samples, const Position& a
     }
   }
   return binned;
+}
+
+std::vector<std::size_t> binsOfSamples(const std::vector<Sample>& samples,
+                                       const AccessPointBins& binned, const BuildingFrame& frame,
+                                       double bin_size_m) {
+  std::map<Square, std::size_t> index;
+  for (std::size_t i = 0; i < binned.bins.size(); ++i) {
+    index.emplace(squareAt(binned.bins[i].position, bin_size_m), i);
+  }
+  const std::size_t none = binned.bins.size();
+  SquareSearch indexAt([&](const Square& square) -> const std::size_t& {
+    const auto found = index.find(square);
+    return found == index.end() ? none : found->second;
+  });
+  const Eigen::Matrix2d to_building = frame.toBuildingAxes();
+  std::vector<std::size_t> bin_of;
+  bin_of.reserve(samples.size());
+  for (const Sample& sample : samples) {
+    bin_of.push_back(indexAt(squareAt(to_building * sample.antenna_in_map, bin_size_m)));
+  }
+  return bin_of;
 }
 
 std::vector<Position> positionsOf(const AccessPointBins& access_point) {

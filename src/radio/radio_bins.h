@@ -40,6 +40,12 @@ AccessPointBins binSamples(const std::vector<Sample>& samples, const Position& a
                            std::optional<double> height_m, const BuildingFrame& frame,
                            double bin_size_m);
 
+/// The index of each sample's bin; the number of bins where its bin was dropped.
+/// @param frame,bin_size_m  as for binSamples
+std::vector<std::size_t> binsOfSamples(const std::vector<Sample>& samples,
+                                       const AccessPointBins& binned, const BuildingFrame& frame,
+                                       double bin_size_m);
+
 /// Variance of one reading at one position [dB2]: half the mean square of successive differences,
 /// each cut at 12 dB; at least 0.09 dB2.
 /// @param samples  of one access point, by time
