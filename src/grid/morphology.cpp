@@ -28,14 +28,20 @@ void flood(const Mask& mask, Connectivity connectivity, Cell seed, std::int64_t 
   while (!open.empty()) {
     const Cell at = open.back();
     open.pop_back();
-    forEachCell({at.x - 1, at.y - 1}, {at.x + 1, at.y + 1}, [&](Cell next) {
-      const bool over_corner = next.x != at.x && next.y != at.y;
-      const bool connected = !over_corner || connectivity == Connectivity::kEdgesAndCorners;
-      if (connected && mask.geometry.contains(next) && mask[next] != 0 && labels[next] == 0) {
+    const auto visit = [&](Cell next) {
+      if (mask.geometry.contains(next) && mask[next] != 0 && labels[next] == 0) {
         labels[next] = label;
         open.push_back(next);
       }
-    });
+    };
+    for (const std::int64_t step : {-1, 1}) {
+      visit({at.x + step, at.y});
+      visit({at.x, at.y + step});
+      if (connectivity == Connectivity::kEdgesAndCorners) {
+        visit({at.x + step, at.y + step});
+        visit({at.x + step, at.y - step});
+      }
+    }
   }
 }
 

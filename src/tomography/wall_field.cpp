@@ -8,7 +8,9 @@
 #include "base/erase_if.h"
 #include "base/random.h"
 #include "base/random_streams.h"
+#include "grid/cells_at_centres.h"
 #include "grid/distance_transform.h"
+#include "grid/for_each_cell.h"
 #include "grid/morphology.h"
 
 namespace sfw {
@@ -71,10 +73,17 @@ std::vector<AccessPointBins> subsample(int member,
 Mask coveredOn(const LineLattice& lattice, const Grid<double>& distance, double radius_m) {
   Mask driven(lattice.geometry);
   const GridGeometry& fine = distance.geometry;
-  for (std::size_t i = 0; i < driven.cells.size(); ++i) {
-    const Position centre = lattice.geometry.centre(lattice.geometry.cell(i));
-    const Cell at = fine.cellAt(lattice.toBuilding(centre));
-    driven.cells[i] = fine.contains(at) && distance[at] * fine.resolution() <= radius_m ? 1 : 0;
+  const auto enter = [&](auto&& cellAtCentre) {
+    forEachCell(lattice.geometry, [&](Cell c) {
+      const Cell at = cellAtCentre(c);
+      driven[c] = fine.contains(at) && distance[at] * fine.resolution() <= radius_m ? 1 : 0;
+    });
+  };
+  if (lattice.yaw_rad == 0.0) {
+    const CellsAtCentres cells(lattice.geometry, fine);
+    enter([&](Cell c) { return cells[c]; });
+  } else {
+    enter([&](Cell c) { return fine.cellAt(lattice.toBuilding(lattice.geometry.centre(c))); });
   }
   return driven;
 }
@@ -82,10 +91,20 @@ Mask coveredOn(const LineLattice& lattice, const Grid<double>& distance, double 
 /// Adds a member's losses at the cells of the result.
 void addTo(Grid<float>& sum, const LineField& member, float share) {
   for (const LatticeLoss& loss : member) {
-    for (std::size_t i = 0; i < sum.cells.size(); ++i) {
-      const Position centre = sum.geometry.centre(sum.geometry.cell(i));
-      const Cell at = loss.lattice.geometry.cellAt(loss.lattice.toLattice(centre));
-      sum.cells[i] += share * (loss.walls_along_y[at] + loss.walls_along_x[at]);
+    const LineLattice& lattice = loss.lattice;
+    const auto enter = [&](auto&& cellAtCentre) {
+      forEachCell(sum.geometry, [&](Cell c) {
+        const Cell at = cellAtCentre(c);
+        sum[c] += share * (loss.walls_along_y[at] + loss.walls_along_x[at]);
+      });
+    };
+    if (lattice.yaw_rad == 0.0) {
+      const CellsAtCentres cells(sum.geometry, lattice.geometry);
+      enter([&](Cell c) { return cells[c]; });
+    } else {
+      enter([&](Cell c) {
+        return lattice.geometry.cellAt(lattice.toLattice(sum.geometry.centre(c)));
+      });
     }
   }
 }

@@ -5,6 +5,8 @@
 #include <cstdint>
 
 #include "grid/axis_rasters.h"
+#include "grid/cells_at_centres.h"
+#include "grid/for_each_cell.h"
 #include "grid/ray.h"
 #include "walls/grid_lines.h"
 
@@ -19,13 +21,14 @@ DirectedRasters lossesOf(const LineField& member, const GridGeometry& geometry) 
     if (loss.lattice.yaw_rad != 0.0) {
       continue;
     }
-    for (std::size_t i = 0; i < geometry.size(); ++i) {
-      const Cell at = loss.lattice.geometry.cellAt(geometry.centre(geometry.cell(i)));
+    const CellsAtCentres cells(geometry, loss.lattice.geometry);
+    forEachCell(geometry, [&](Cell c) {
+      const Cell at = cells[c];
       if (loss.lattice.geometry.contains(at)) {
-        losses.along_x.cells[i] += loss.walls_along_x[at];
-        losses.along_y.cells[i] += loss.walls_along_y[at];
+        losses.along_x[c] += loss.walls_along_x[at];
+        losses.along_y[c] += loss.walls_along_y[at];
       }
-    }
+    });
   }
   return losses;
 }
