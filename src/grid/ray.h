@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 
@@ -35,6 +36,13 @@ class Ray {
     });
   }
 
+  /// At least the number of cells crossed.
+  std::size_t mostCells() const {
+    return static_cast<std::size_t>(std::abs((to_x_ >> kSubcellBits) - (from_x_ >> kSubcellBits)) +
+                                    std::abs((to_y_ >> kSubcellBits) - (from_y_ >> kSubcellBits)) +
+                                    1);
+  }
+
   /// Calls `visit(Cell)` as forEachCell does, until it returns false.
   template <class Visitor>
   void forEachCellWhile(Visitor&& visit) const;
@@ -61,17 +69,16 @@ void Ray::forEachCellWhile(Visitor&& visit) const {
   std::int64_t next_x = to_border(from_x_, step_x) * length_y;
   std::int64_t next_y = to_border(from_y_, step_y) * length_x;
 
+  const std::int64_t column = kSubcells * length_y;
+  const std::int64_t row = kSubcells * length_x;
   while (visit(cell) && cell != last) {
-    const bool cross_x = next_x <= next_y;
-    const bool cross_y = next_y <= next_x;
-    if (cross_x) {
-      cell.x += step_x;
-      next_x += kSubcells * length_y;
-    }
-    if (cross_y) {
-      cell.y += step_y;
-      next_y += kSubcells * length_x;
-    }
+    // Masks of all bits or none, as the processor cannot foresee which border comes next.
+    const std::int64_t cross_x = -static_cast<std::int64_t>(next_x <= next_y);
+    const std::int64_t cross_y = -static_cast<std::int64_t>(next_y <= next_x);
+    cell.x += step_x & cross_x;
+    next_x += column & cross_x;
+    cell.y += step_y & cross_y;
+    next_y += row & cross_y;
   }
 }
 

@@ -2,21 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "base/log_odds.h"
 #include "grid/for_each_cell.h"
+#include "grid/mask.h"
 #include "grid/ray.h"
 #include "grid/robot_evidence.h"
 
 namespace sfw {
 namespace {
 
+constexpr std::int64_t kOutside = -1;   // index of a cell outside the grid
 constexpr double kRayCertainty = 0.95;  // limit for any number of correlated rays
 
 /// Wall counts to one access point in the cells that the path crosses.
 class PathCells {
  public:
-  explicit PathCells(const GridGeometry& geometry) : sums_(geometry) {}
+  explicit PathCells(const GridGeometry& geometry) : sums_(geometry), crossed_(geometry) {}
 
   /// Inserts a path. Each cell gets the count of the nearer of its two adjacent poses.
   void enter(const CountedPath& path, double max_gap_m) {
@@ -33,14 +37,19 @@ class PathCells {
     }
     std::sort(cells_.begin(), cells_.end(),
               [this](Cell a, Cell b) { return sums_.geometry.index(a) < sums_.geometry.index(b); });
+    for (const Cell c : cells_) {
+      crossed_[c] = 1;
+    }
   }
 
   const std::vector<Cell>& cells() const { return cells_; }
-  bool crossed(Cell c) const { return sums_.geometry.contains(c) && sums_[c].poses > 0; }
+  bool crossed(std::int64_t index) const {
+    return crossed_.cells[static_cast<std::size_t>(index)] != 0;
+  }
 
   /// Mean count of all passes through a crossed cell, rounded.
-  int walls(Cell c) const {
-    const Sum& sum = sums_[c];
+  int walls(std::int64_t index) const {
+    const Sum& sum = sums_.cells[static_cast<std::size_t>(index)];
     return static_cast<int>((2 * sum.walls + sum.poses) / (2 * sum.poses));
   }
 
@@ -65,15 +74,35 @@ class PathCells {
   }
 
   Grid<Sum> sums_;
+  Mask crossed_;  // the cells with poses: far smaller than the sums, so rays walk it faster
   std::vector<Cell> cells_;
+};
+
+/// Keeps what wallMass returns. The rays of a path have few different segments.
+class WallMasses {
+ public:
+  explicit WallMasses(double wall_cells) : wall_cells_(wall_cells) {}
+
+  const std::vector<double>& of(std::size_t cells, int walls) {
+    const auto [mass, is_new] = masses_.try_emplace({cells, walls});
+    if (is_new) {
+      mass->second = wallMass(cells, walls, wall_cells_);
+    }
+    return mass->second;
+  }
+
+ private:
+  double wall_cells_;
+  std::map<std::pair<std::size_t, int>, std::vector<double>> masses_;
 };
 
 /// Adds the evidence of one segment to its cells.
 ///
 /// Its variance grows with the square of its length. The midpoint of a long segment is a poor
 /// estimate of a wall's position. Two equal counts far apart hardly exclude a wall between them.
-void addSegment(const RaySegment& segment, const std::vector<Cell>& ray,
-                const SparseInverseConfig& config, Grid<CellEvidence>& evidence) {
+void addSegment(const RaySegment& segment, const std::vector<std::int64_t>& ray,
+                const SparseInverseConfig& config, WallMasses& masses,
+                Grid<CellEvidence>& evidence) {
   const double resolution = evidence.geometry.resolution();
   const std::size_t cells = segment.end - segment.begin;
   const double length = static_cast<double>(cells) * resolution;
@@ -85,41 +114,53 @@ void addSegment(const RaySegment& segment, const std::vector<Cell>& ray,
     return;  // no wall fits between two footprints this close
   }
   const double weight = 1.0 / (length * length);
-  const std::vector<double> mass =
-      wallMass(cells, segment.walls, config.wall_thickness_m / resolution);
-  // A wall somewhere on the segment is never evidence that one of its cells is free (Rule 3).
-  const double least_mass = segment.walls > 0 ? config.wall_prior : 0.0;
+  if (segment.walls == 0) {
+    for (std::size_t i = segment.begin; i < segment.end; ++i) {
+      if (ray[i] != kOutside) {
+        evidence.cells[static_cast<std::size_t>(ray[i])].weight += weight;
+      }
+    }
+    return;
+  }
+  const std::vector<double>& mass = masses.of(cells, segment.walls);
   for (std::size_t i = 0; i < cells; ++i) {
-    const Cell cell = ray[segment.begin + i];
-    if (evidence.geometry.contains(cell)) {
-      evidence[cell].weighted_mass += weight * std::max(mass[i], least_mass);
-      evidence[cell].weight += weight;
+    const std::int64_t index = ray[segment.begin + i];
+    if (index != kOutside) {
+      CellEvidence& cell = evidence.cells[static_cast<std::size_t>(index)];
+      // A wall somewhere on the segment is never evidence that one of its cells is free (Rule 3).
+      cell.weighted_mass += weight * std::max(mass[i], config.wall_prior);
+      cell.weight += weight;
     }
   }
 }
 
 /// Adds the evidence of all rays to one access point.
 void addRays(const CountedPath& counted, const SparseInverseConfig& config,
-             const std::atomic<bool>& stop, Grid<CellEvidence>& evidence) {
+             const std::atomic<bool>& stop, WallMasses& masses, Grid<CellEvidence>& evidence) {
   const GridGeometry& geometry = evidence.geometry;
   PathCells path(geometry);
   path.enter(counted, config.max_gap_m);
-  std::vector<Cell> ray;
+  std::vector<std::int64_t> ray;  // indices of cells, or kOutside
   std::vector<CountedCell> known;
   for (const Cell end : path.cells()) {
     if (stop) {
       return;
     }
-    ray.clear();
+    const Ray to_end(geometry, counted.access_point, geometry.centre(end));
+    ray.resize(to_end.mostCells());
     known.assign(1, CountedCell{0, 0});
-    Ray(geometry, counted.access_point, geometry.centre(end)).forEachCell([&](Cell cell) {
-      if (!ray.empty() && path.crossed(cell)) {
-        known.push_back({ray.size(), path.walls(cell)});
+    std::size_t cells = 0;
+    to_end.forEachCell([&](Cell cell) {
+      const std::int64_t index =
+          geometry.contains(cell) ? static_cast<std::int64_t>(geometry.index(cell)) : kOutside;
+      ray[cells] = index;
+      if (cells > 0 && index != kOutside && path.crossed(index)) {
+        known.push_back({cells, path.walls(index)});
       }
-      ray.push_back(cell);
+      ++cells;
     });
     for (const RaySegment& segment : segmentRay(known)) {
-      addSegment(segment, ray, config, evidence);
+      addSegment(segment, ray, config, masses, evidence);
     }
   }
 }
@@ -214,8 +255,9 @@ Grid<float> inferOccupancy(const GridGeometry& geometry, const std::vector<Count
                            const std::vector<Position>& path, const std::vector<Contact>& contacts,
                            const SparseInverseConfig& config, const std::atomic<bool>& stop) {
   Grid<CellEvidence> evidence(geometry);
+  WallMasses masses(config.wall_thickness_m / geometry.resolution());
   for (const CountedPath& one : counted) {
-    addRays(one, config, stop, evidence);
+    addRays(one, config, stop, masses, evidence);
   }
   Grid<float> occupied(geometry, kUnknownOccupancy);
   for (std::size_t i = 0; i < evidence.cells.size(); ++i) {
