@@ -45,6 +45,24 @@ std::string joinedGroups(std::string_view text, std::string_view separators, std
   }
 }
 
+/// Reads 01:23:45:67:89:ab, the usual form; nothing for any other text.
+std::optional<std::uint64_t> parseColons(std::string_view text) {
+  constexpr std::size_t kLength = 17;
+  if (text.size() != kLength) {
+    return std::nullopt;
+  }
+  std::uint64_t value = 0;
+  for (std::size_t i = 0; i < kLength; ++i) {
+    const bool is_colon = i % 3 == 2;
+    const int digit = is_colon ? 0 : hexDigit(text[i]);
+    if (digit < 0 || (is_colon && text[i] != ':')) {
+      return std::nullopt;
+    }
+    value = is_colon ? value : value << 4 | static_cast<std::uint64_t>(digit);
+  }
+  return value;
+}
+
 /// The twelve digits of an address, or another number of characters.
 std::string digitsOf(std::string_view text) {
   constexpr std::size_t kOctet = 2;
@@ -64,13 +82,17 @@ std::string digitsOf(std::string_view text) {
 
 std::optional<Bssid> Bssid::parse(std::string_view text) {
   constexpr std::size_t kLongest = 17;
-  const std::string digits = text.size() <= kLongest ? digitsOf(text) : "";
-  if (digits.size() != kDigits) {
-    return std::nullopt;
-  }
   Bssid bssid;
-  for (const char digit : digits) {
-    bssid.value_ = bssid.value_ << 4 | static_cast<std::uint64_t>(hexDigit(digit));
+  if (const std::optional<std::uint64_t> usual = parseColons(text)) {
+    bssid.value_ = *usual;
+  } else {
+    const std::string digits = text.size() <= kLongest ? digitsOf(text) : "";
+    if (digits.size() != kDigits) {
+      return std::nullopt;
+    }
+    for (const char digit : digits) {
+      bssid.value_ = bssid.value_ << 4 | static_cast<std::uint64_t>(hexDigit(digit));
+    }
   }
   return bssid.value_ == 0 ? std::nullopt : std::optional(bssid);
 }

@@ -46,6 +46,12 @@ std::string_view CsvTable::physicalLine() const {
   return std::string_view(text_).substr(at_, std::min(text_.find('\n', at_), text_.size()) - at_);
 }
 
+std::size_t CsvTable::mostRows() const {
+  return 1 + static_cast<std::size_t>(std::count(
+                 text_.begin() + static_cast<std::ptrdiff_t>(std::min(at_, text_.size())),
+                 text_.end(), '\n'));
+}
+
 bool CsvTable::next() {
   while (at_ < text_.size()) {
     readRow();

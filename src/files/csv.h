@@ -38,6 +38,9 @@ class CsvTable {
   /// Moves to the next row that is not blank; false at the end.
   bool next();
 
+  /// At least the number of rows that are left. Linear in the size of the file.
+  std::size_t mostRows() const;
+
   /// Whether the file has the i-th column asked for.
   bool has(std::size_t i) const { return column_[i].has_value(); }
 

@@ -39,12 +39,13 @@ RowFault faultOf(const CsvTable& table, std::size_t column, const std::string& w
 
 std::optional<RowFault> readNumber(const CsvTable& table, std::size_t column, double low,
                                    double high, double& value) {
-  const std::optional<double> number = parseNumber(table.number(column));
+  const std::string_view field = table.field(column);
+  const bool has_comma = field.find(',') != std::string_view::npos;
+  const std::optional<double> number = parseNumber(has_comma ? table.number(column) : field);
   if (!number) {
-    const bool is_ambiguous = table.field(column).find(',') != std::string_view::npos;
     return faultOf(
         table, column,
-        is_ambiguous ? " is not a number: its comma may separate thousands" : " is not a number");
+        has_comma ? " is not a number: its comma may separate thousands" : " is not a number");
   }
   if (!std::isfinite(*number)) {
     return faultOf(table, column, " is not finite");

@@ -58,6 +58,7 @@ ReadingFile readReadings(const std::string& file, const std::string& path) {
     track.emplace(path);
   }
   ReadingFile result;
+  result.readings.reserve(table.mostRows());
   while (table.next()) {
     Reading reading;
     std::optional<RowFault> fault = table.read(reading);
@@ -71,7 +72,7 @@ ReadingFile readReadings(const std::string& file, const std::string& path) {
       }
       continue;
     }
-    result.readings.push_back(reading);
+    result.readings.push_back(std::move(reading));
   }
   if (track && result.readings.empty()) {
     track->requireMeeting(file);

@@ -20,6 +20,7 @@ class ScanTable {
   bool hasPositions() const;
 
   bool next() { return table_.next(); }
+  std::size_t mostRows() const { return table_.mostRows(); }
   std::string line() const { return table_.line(); }
 
   /// Reads this row. Without x and y the position stays as it is.

@@ -20,21 +20,31 @@ namespace {
 const locale_t kClassic = newlocale(LC_ALL_MASK, "C", nullptr);
 
 bool isDigits(std::string_view text) {
-  return text.find_first_not_of("0123456789") == std::string_view::npos;
+  return std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// Nothing if the text has other characters than digits, or if the number needs more than 63 bits.
-std::optional<std::int64_t> parseDigits(const std::string& text) {
-  std::int64_t number = 0;
+/// Reads the usual forms of numbers, many times as fast as strtod.
+/// @return nothing for other forms, and if the standard library cannot do it.
+std::optional<double> parsePlainNumber([[maybe_unused]] std::string_view text) {
+#ifdef __cpp_lib_to_chars
+  double value = 0.0;
   const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, number);
-  return isDigits(text) && error == std::errc() && rest == end ? std::optional(number)
-                                                               : std::nullopt;
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  if (error == std::errc() && rest == end) {
+    return value;
+  }
+#endif
+  return std::nullopt;
 }
+
+bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
 }  // namespace
 
 std::optional<double> parseNumber(std::string_view text) {
+  if (const std::optional<double> plain = parsePlainNumber(text)) {
+    return plain;
+  }
   const std::string number(trimmed(text));
   char* end = nullptr;
   const double value = strtod_l(number.c_str(), &end, kClassic);
@@ -60,30 +70,39 @@ std::optional<std::int64_t> parseNanoseconds(std::string_view seconds) {
     text.remove_prefix(1);
   }
   const std::size_t point = std::min(text.find('.'), text.size());
-  const std::string whole(text.substr(0, point));
-  const std::string fraction(text.substr(std::min(point + 1, text.size())));
+  const std::string_view whole = text.substr(0, point);
+  const std::string_view fraction = text.substr(std::min(point + 1, text.size()));
   constexpr std::size_t kPlaces = 9;
-  if (whole.empty() && fraction.empty()) {
+  constexpr std::size_t kMostWhole = kPlaces + 1;
+  if ((whole.empty() && fraction.empty()) || whole.size() > kMostWhole || !isDigits(whole) ||
+      !isDigits(fraction)) {
     return std::nullopt;
   }
-  const std::optional<std::int64_t> nanoseconds =
-      parseDigits(whole + (fraction + std::string(kPlaces, '0')).substr(0, kPlaces));
-  constexpr std::int64_t kMost = 9'000'000'000'999'999'999;  // in 63 bits, with room
-  if (whole.size() > kPlaces + 1 || !isDigits(fraction) || !nanoseconds || *nanoseconds > kMost) {
+  std::uint64_t nanoseconds = 0;
+  const auto append = [&](char digit) {
+    nanoseconds = 10 * nanoseconds + static_cast<std::uint64_t>(digit - '0');
+  };
+  std::for_each(whole.begin(), whole.end(), append);
+  for (std::size_t i = 0; i < kPlaces; ++i) {
+    append(i < fraction.size() ? fraction[i] : '0');
+  }
+  constexpr std::uint64_t kMost = 9'000'000'000'999'999'999;  // in 63 bits, with room
+  if (nanoseconds > kMost) {
     return std::nullopt;
   }
-  const std::int64_t rounded =
-      *nanoseconds + (fraction.size() > kPlaces && fraction[kPlaces] >= '5' ? 1 : 0);
+  const std::int64_t rounded = static_cast<std::int64_t>(nanoseconds) +
+                               (fraction.size() > kPlaces && fraction[kPlaces] >= '5' ? 1 : 0);
   return negative ? -rounded : rounded;
 }
 
 std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\r\n";
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) {
-    return {};
+  while (!text.empty() && isBlank(text.front())) {
+    text.remove_prefix(1);
   }
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+  while (!text.empty() && isBlank(text.back())) {
+    text.remove_suffix(1);
+  }
+  return text;
 }
 
 std::size_t editDistance(std::string_view a, std::string_view b) {
