@@ -1,9 +1,9 @@
 #include "checks/recording_checks.h"
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "base/erase_if.h"
 #include "base/rssi_range.h"
@@ -12,6 +12,7 @@
 #include "checks/signal_checks.h"
 #include "checks/time_checks.h"
 #include "checks/unit_checks.h"
+#include "path/poses_between.h"
 
 namespace sfw {
 namespace {
@@ -27,7 +28,6 @@ bool earlier(const Reading& a, const Reading& b) {
 /// Every pose once, by robot and stamp, of accepted and of refused readings.
 std::vector<PathPose> posesOf(const RecordingData& data) {
   std::vector<PathPose> poses;
-  poses.reserve(data.accepted.size());
   const auto add = [&](const std::vector<Reading>& readings) {
     for (const Reading& reading : readings) {
       if (poses.empty() || poses.back().stamp_ns != reading.stamp_ns ||
@@ -40,17 +40,7 @@ std::vector<PathPose> posesOf(const RecordingData& data) {
   };
   add(data.accepted);
   add(data.refused);
-  const auto order = [](const PathPose& pose) {
-    return std::make_tuple(std::cref(pose.robot), pose.stamp_ns, pose.antenna_in_map.x(),
-                           pose.antenna_in_map.y());
-  };
-  std::sort(poses.begin(), poses.end(),
-            [&](const PathPose& a, const PathPose& b) { return order(a) < order(b); });
-  poses.erase(
-      std::unique(poses.begin(), poses.end(),
-                  [&](const PathPose& a, const PathPose& b) { return order(a) == order(b); }),
-      poses.end());
-  return poses;
+  return sortedPath(std::move(poses));
 }
 
 /// The readings of each access point, by robot and stamp.
@@ -68,7 +58,9 @@ class Radios {
     add(recording.data.refused, index_of);
     for (ByRadio* kind : {&signals, &others}) {
       for (std::vector<Reading>& radio : *kind) {
-        std::stable_sort(radio.begin(), radio.end(), earlier);
+        if (!std::is_sorted(radio.begin(), radio.end(), earlier)) {  // sorting takes more memory
+          std::stable_sort(radio.begin(), radio.end(), earlier);
+        }
       }
     }
   }

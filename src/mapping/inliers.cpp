@@ -40,11 +40,19 @@ PathPose poseOf(const Reading& reading) {
   return {reading.stamp_ns, reading.antenna_in_map, PathPose::kNoWallCount, reading.robot};
 }
 
+/// Whether a pose is that of a reading.
+bool isAt(const Reading& reading, const PathPose& pose) {
+  return reading.stamp_ns == pose.stamp_ns && reading.antenna_in_map == pose.antenna_in_map &&
+         reading.robot == pose.robot;
+}
+
 std::vector<PathPose> pathOf(const std::vector<Reading>& readings) {
   std::vector<PathPose> path;
-  path.reserve(readings.size());
   for (const Reading& reading : readings) {
-    path.push_back(poseOf(reading));
+    // Readings of one scan share a pose.
+    if (path.empty() || !isAt(reading, path.back())) {
+      path.push_back(poseOf(reading));
+    }
   }
   return sortedPath(std::move(path));
 }
@@ -118,12 +126,17 @@ std::vector<AccessPointReadings> byAccessPoint(const std::vector<Reading>& readi
                                                const std::vector<PathPose>& path,
                                                const std::map<Bssid, std::size_t>& index_of) {
   std::vector<AccessPointReadings> all(index_of.size());
+  std::size_t pose = 0;
   for (const Reading& reading : readings) {
     const auto found = index_of.find(reading.bssid);
     if (found != index_of.end()) {
       AccessPointReadings& one = all[found->second];
       one.samples.push_back({reading.antenna_in_map, reading.rssi_dbm});
-      one.poses.push_back(poseIndex(reading, path));
+      // Most readings share the pose of the one before, or have the next one.
+      pose = isAt(reading, path[pose])                                 ? pose
+             : pose + 1 < path.size() && isAt(reading, path[pose + 1]) ? pose + 1
+                                                                       : poseIndex(reading, path);
+      one.poses.push_back(pose);
     }
   }
   return all;
@@ -183,6 +196,16 @@ std::vector<Item> ofRobot(const std::string& robot, const std::vector<Item>& ite
   std::copy_if(items.begin(), items.end(), std::back_inserter(own),
                [&](const Item& item) { return item.robot == robot; });
   return own;
+}
+
+/// Moves items behind others.
+template <class Item>
+void append(std::vector<Item>&& items, std::vector<Item>& all) {
+  if (all.empty()) {
+    all = std::move(items);
+  } else {
+    std::move(items.begin(), items.end(), std::back_inserter(all));
+  }
 }
 
 std::set<std::string> robotsOf(const std::vector<Reading>& readings) {
@@ -281,9 +304,12 @@ std::vector<Reading> sortedByStamp(std::vector<Reading> readings) {
     return std::make_tuple(r.stamp_ns, r.bssid, std::cref(r.robot), -r.rssi_dbm,
                            r.antenna_in_map.x(), r.antenna_in_map.y());
   };
-  std::sort(readings.begin(), readings.end(), [&](const Reading& a, const Reading& b) {
+  const auto isBefore = [&](const Reading& a, const Reading& b) {
     return a.stamp_ns != b.stamp_ns ? a.stamp_ns < b.stamp_ns : full_order(a) < full_order(b);
-  });
+  };
+  if (!std::is_sorted(readings.begin(), readings.end(), isBefore)) {  // they often come sorted
+    std::sort(readings.begin(), readings.end(), isBefore);
+  }
   return readings;
 }
 
@@ -301,13 +327,14 @@ Inliers withoutStrayPoses(std::vector<Reading> sorted, std::vector<Contact> cont
   inliers.contacts = std::move(contacts);
   const std::vector<PathPose> sorted_poses = sortedPath(poses);
   std::vector<Reading> used;
-  for (const std::string& robot : robotsOf(readings)) {
-    RobotDrive drive =
-        driveOf(ofRobot(robot, readings), ofRobot(robot, sorted_poses), inliers.contacts);
+  const std::set<std::string> robots = robotsOf(readings);
+  for (const std::string& robot : robots) {
+    RobotDrive drive = driveOf(robots.size() == 1 ? std::move(readings) : ofRobot(robot, readings),
+                               ofRobot(robot, sorted_poses), inliers.contacts);
     add(drive.stray, inliers.stray);
     add(drive.motion, inliers.motion);
-    std::move(drive.readings.begin(), drive.readings.end(), std::back_inserter(used));
-    std::move(drive.path.begin(), drive.path.end(), std::back_inserter(inliers.path));
+    append(std::move(drive.readings), used);
+    append(std::move(drive.path), inliers.path);
   }
   inliers.readings = byAccessPoint(used, inliers.path, index_of);
   return inliers;

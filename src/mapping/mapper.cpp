@@ -73,12 +73,14 @@ void estimatePositions(const std::vector<std::size_t>& radio_of,
   }
 }
 
-RecordingFindings checked(const ReadingStore& store, const RecordingData& data,
-                          const Inliers& inliers, const Config& config) {
+/// The inliers of all data, and what the checks find in all data.
+std::pair<Inliers, RecordingFindings> checked(const ReadingStore& store, const Config& config) {
+  const RecordingData data = store.data();
+  Inliers inliers = store.inliers(data.accepted);
   RecordingFindings findings = checkRecording(
       {data, store.accessPoints(), inliers.path, inliers.stamped_alike, config.path.max_gap_m});
   findings.frames = store.frames();
-  return findings;
+  return {std::move(inliers), std::move(findings)};
 }
 
 /// The radios, if the readings are good enough to tell.
@@ -194,9 +196,7 @@ std::shared_ptr<const Snapshot> Mapper::inferWithoutRadio() const {
 
 std::shared_ptr<const Snapshot> Mapper::infer(UseRadio use_radio,
                                               const std::atomic<bool>& stop) const {
-  const RecordingData data = store_->data();
-  Inliers inliers = store_->inliers(data.accepted);
-  RecordingFindings findings = checked(*store_, data, inliers, config_);
+  auto [inliers, findings] = checked(*store_, config_);
   removeSentinels(findings.sentinels, store_->accessPoints(), inliers.readings);
   if (findings.cached) {
     removeRepeated(inliers.readings);

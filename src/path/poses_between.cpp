@@ -26,7 +26,9 @@ bool isEarlier(const PathPose& a, const PathPose& b) {
 }
 
 std::vector<PathPose> sortedPath(std::vector<PathPose> poses) {
-  std::sort(poses.begin(), poses.end(), isEarlier);
+  if (!std::is_sorted(poses.begin(), poses.end(), isEarlier)) {  // they often come sorted
+    std::sort(poses.begin(), poses.end(), isEarlier);
+  }
   poses.erase(
       std::unique(poses.begin(), poses.end(),
                   [](const PathPose& a, const PathPose& b) { return order(a) == order(b); }),
