@@ -265,14 +265,15 @@ AccessPointLikelihood withBestShadowing(const AccessPointBins& access_point) {
   constexpr double kUsualDb = 5.0;
   constexpr double kFactor = 0.5;  // standard deviation of the deviation's logarithm
   constexpr double kUsualDistanceM = 1.5;
+  const ShadowingWhitener::Neighbours neighbours(positionsOf(access_point));
   const std::vector<Position> positions =
-      likeliest(AccessPointLikelihood(access_point, {kUsualDb, kUsualDistanceM}),
+      likeliest(AccessPointLikelihood(access_point, {kUsualDb, kUsualDistanceM}, neighbours),
                 evenlySpread(searchedArea(access_point.bins)));
   std::optional<AccessPointLikelihood> best;
   double most = -std::numeric_limits<double>::infinity();
   for (const double distance_m : {1.5, 4.0}) {
     for (const double deviation_db : {1.0, 2.0, 3.0, 4.0, 5.5, 7.5}) {
-      AccessPointLikelihood likelihood(access_point, {deviation_db, distance_m});
+      AccessPointLikelihood likelihood(access_point, {deviation_db, distance_m}, neighbours);
       const std::vector<double> rated = likelihood.at(positions);
       double evidence = *std::max_element(rated.begin(), rated.end());
       const double unusual = std::log(deviation_db / kUsualDb) / kFactor;

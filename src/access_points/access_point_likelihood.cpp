@@ -31,9 +31,11 @@ SignalCovariance covarianceFor(const AccessPointLikelihood::Shadowing& shadowing
 }  // namespace
 
 AccessPointLikelihood::AccessPointLikelihood(AccessPointBins access_point,
-                                             const Shadowing& shadowing)
+                                             const Shadowing& shadowing,
+                                             const ShadowingWhitener::Neighbours& neighbours)
     : access_point_(std::move(access_point)),
-      whitener_(access_point_, covarianceFor(shadowing)),
+      whitener_(positionsOf(access_point_), noiseOfMeans(access_point_), covarianceFor(shadowing),
+                neighbours),
       terms_(access_point_) {
   const auto count = static_cast<Eigen::Index>(access_point_.bins.size());
   signals_.resize(count);

@@ -26,7 +26,9 @@ class AccessPointLikelihood {
   };
 
   /// @param access_point  its bins and height; its position is not used
-  AccessPointLikelihood(AccessPointBins access_point, const Shadowing& shadowing);
+  /// @param neighbours    of the bins' positions
+  AccessPointLikelihood(AccessPointBins access_point, const Shadowing& shadowing,
+                        const ShadowingWhitener::Neighbours& neighbours);
 
   /// Log likelihoods of positions [m], up to a constant that is the same for all positions and
   /// shadowings. O(positions x bins).

@@ -89,8 +89,16 @@ Eigen::MatrixXd basisOf(const AccessPointBins& access_point, const SignalCovaria
 
 ShadowingWhitener::ShadowingWhitener(const std::vector<Position>& positions,
                                      const std::vector<double>& noise_db2,
-                                     const SignalCovariance& model) {
-  const std::vector<int> known = findNeighbours(positions);
+                                     const SignalCovariance& model)
+    : ShadowingWhitener(positions, noise_db2, model, Neighbours(positions)) {}
+
+ShadowingWhitener::ShadowingWhitener(const std::vector<Position>& positions,
+                                     const std::vector<double>& noise_db2,
+                                     const SignalCovariance& model, const Neighbours& neighbours) {
+  rows_.reserve(neighbours.index_.size());
+  for (const auto& index : neighbours.index_) {
+    rows_.push_back({index, {}});
+  }
   VecchiaRows<kNeighbours> batch;
   for (std::size_t first = 0; first < rows_.size(); first += kLanes) {
     const auto row = [&](int lane) {  // the last one again where there are no more
@@ -98,7 +106,7 @@ ShadowingWhitener::ShadowingWhitener(const std::vector<Position>& positions,
     };
     for (int lane = 0; lane < kLanes; ++lane) {
       for (int i = 0; i <= kNeighbours; ++i) {
-        if (i > known[row(lane)]) {
+        if (i > neighbours.known_[row(lane)]) {
           batch.putNone(lane, i);
           continue;
         }
@@ -118,23 +126,19 @@ ShadowingWhitener::ShadowingWhitener(const std::vector<Position>& positions,
   }
 }
 
-std::vector<int> ShadowingWhitener::findNeighbours(const std::vector<Position>& positions) {
+ShadowingWhitener::Neighbours::Neighbours(const std::vector<Position>& positions) {
   NearestNeighbours before(positions);
-  std::vector<int> known;
-  rows_.reserve(positions.size());
-  known.reserve(positions.size());
+  index_.reserve(positions.size());
+  known_.reserve(positions.size());
   for (const int own : coarseToFine(positions.size())) {
-    Row<double> row{};
-    row.index.fill(own);
-    known.push_back(0);
+    index_.emplace_back().fill(own);
+    known_.push_back(0);
     for (const auto& [square, neighbour] :
          before.nearest(positions[static_cast<std::size_t>(own)], kNeighbours)) {
-      row.index[static_cast<std::size_t>(++known.back())] = neighbour;
+      index_.back()[static_cast<std::size_t>(++known_.back())] = neighbour;
     }
-    rows_.push_back(row);
     before.enter(own);
   }
-  return known;
 }
 
 Eigen::VectorXd ShadowingWhitener::applyPrecision(const Eigen::VectorXd& values) const {

@@ -18,11 +18,19 @@ namespace sfw {
 /// nearest ones among the positions before it. Memory and each product are linear in positions.
 class ShadowingWhitener {
  public:
+  /// The positions that predict each position. They do not depend on the covariance, so whiteners
+  /// of the same positions can share them.
+  class Neighbours;
+
   /// @param positions  [m], any frame
   /// @param noise_db2  variance of each position's mean signal; positive together with the nugget
   /// @param model      its priors of power and exponent are not used
   ShadowingWhitener(const std::vector<Position>& positions, const std::vector<double>& noise_db2,
                     const SignalCovariance& model);
+
+  /// As above, with the neighbours of these positions.
+  ShadowingWhitener(const std::vector<Position>& positions, const std::vector<double>& noise_db2,
+                    const SignalCovariance& model, const Neighbours& neighbours);
 
   /// As above for the bins of an access point.
   ShadowingWhitener(const AccessPointBins& access_point, const SignalCovariance& model)
@@ -55,11 +63,19 @@ class ShadowingWhitener {
   const std::vector<Row<double>>& rows() const { return rows_; }
 
  private:
-  /// Sets the neighbours of all rows.
-  /// @return how many each row has.
-  std::vector<int> findNeighbours(const std::vector<Position>& positions);
-
   std::vector<Row<double>> rows_;
+};
+
+class ShadowingWhitener::Neighbours {
+ public:
+  /// @param positions  [m], any frame
+  explicit Neighbours(const std::vector<Position>& positions);
+
+ private:
+  friend class ShadowingWhitener;
+
+  std::vector<std::array<int, kNeighbours + 1>> index_;  // as of Row
+  std::vector<int> known_;                               // how many each row has
 };
 
 /// Inverse covariance of the signals of one access point, for unknown power and exponent, and for a
