@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/function_versions.h"
 #include "belief/free_and_rim.h"
 #include "belief/free_probability.h"
 #include "grid/for_each_cell.h"
@@ -33,6 +34,7 @@ float interpolated(const Grid<float>& values, const Position& position, float ou
 }
 
 /// Resamples a grid of the building frame on the grid of the map.
+SFW_FUNCTION_VERSIONS
 Grid<float> onMap(const GridGeometry& geometry, const Grid<float>& values,
                   const BuildingFrame& frame, float outside) {
   Grid<float> result(geometry, outside);
