@@ -18,6 +18,15 @@ inline double cpuSeconds(const std::function<double()>& work) {
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
+/// The least CPU time of several calls [s]: other processes disturbed the others.
+inline double leastCpuSeconds(int repetitions, const std::function<double()>& work) {
+  double least = cpuSeconds(work);
+  for (int i = 1; i < repetitions; ++i) {
+    least = std::min(least, cpuSeconds(work));
+  }
+  return least;
+}
+
 /// @param values  not empty
 inline double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);

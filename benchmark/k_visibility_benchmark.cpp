@@ -1,11 +1,10 @@
-// Measures the time of forwardKVisibility. A walk along a ray to every cell, in the same run, is
-// the reference.
+// Measures the CPU time of forwardKVisibility. A walk along a ray to every cell, in the same run,
+// is the reference.
 //
 // Usage: k_visibility_benchmark [PLAN]...
 // It runs on the given plans, and on generated office floors, tiled to 250..2000 cells a side.
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -13,6 +12,7 @@
 #include <vector>
 
 #include "base/random.h"
+#include "comparison.h"
 #include "grid/for_each_cell.h"
 #include "k_visibility/k_visibility.h"
 #include "office_floor.h"
@@ -25,16 +25,6 @@ namespace {
 constexpr int kRepetitions = 5;  // the smallest time counts: other processes disturbed the others
 constexpr int kPlaces = 5;       // of access points
 constexpr std::size_t kRays = 20000;
-
-volatile std::size_t consumed = 0;  // keeps the compiler from removing the work
-
-template <class Work>
-double milliseconds(Work&& work) {
-  const auto start = std::chrono::steady_clock::now();
-  consumed = consumed + work();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-      .count();
-}
 
 /// Office floors side by side.
 Grid<CellState> tiledOffice(std::int64_t side) {
@@ -61,14 +51,14 @@ std::vector<Position> freeCentres(const Grid<CellState>& plan) {
 double raysMilliseconds(const Grid<CellState>& plan, const Position& access_point,
                         const std::vector<Position>& centres) {
   const std::size_t stride = centres.size() / std::min(centres.size(), kRays);
-  const double walked = milliseconds([&] {
+  const double walked_s = cpuSeconds([&] {
     std::size_t walls = 0;
     for (std::size_t i = 0; i < centres.size(); i += stride) {
       walls += static_cast<std::size_t>(countWalls(plan, access_point, centres[i]));
     }
-    return walls;
+    return static_cast<double>(walls);
   });
-  return walked * static_cast<double>(stride);
+  return 1e3 * walked_s * static_cast<double>(stride);
 }
 
 void measure(const std::string& name, const Grid<CellState>& plan) {
@@ -79,12 +69,9 @@ void measure(const std::string& name, const Grid<CellState>& plan) {
     const Position access_point =
         centres[static_cast<std::size_t>(chance * static_cast<double>(centres.size()))] +
         Position(0.0031, 0.0017);
-    double best = 1e300;
-    for (int i = 0; i < kRepetitions; ++i) {
-      best = std::min(best, milliseconds([&] {
-                        return std::size_t{forwardKVisibility(plan, access_point).cells.back()};
-                      }));
-    }
+    const double best = 1e3 * leastCpuSeconds(kRepetitions, [&] {
+                          return double{forwardKVisibility(plan, access_point).cells.back()};
+                        });
     sweep += best / kPlaces;
     longest = std::max(longest, best);
     rays += raysMilliseconds(plan, access_point, centres) / kPlaces;

@@ -13,13 +13,14 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
-#include <ctime>
 #include <exception>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <vector>
 
 #include "belief/free_probability.h"
+#include "comparison.h"
 #include "mapping/fused_belief.h"
 #include "office_floor.h"
 #include "radio/shadowing.h"
@@ -27,6 +28,7 @@
 #include "ros/conversion/message_conversion.h"
 #include "simulation/robot/route_planner.h"
 #include "simulation/scenario.h"
+#include "structure_from_wifi/data_checks.h"
 #include "structure_from_wifi/mapper.h"
 #include "structure_from_wifi/octomap_export.h"
 #include "walls/network_inputs.h"
@@ -40,18 +42,8 @@ constexpr double kMinute = 60.0;
 constexpr double kLongest = 60.0 * kMinute;
 constexpr double kRobotRadius = 0.15;  // [m]
 
-volatile double consumed = 0.0;  // keeps the compiler from removing the work
-
-template <class Work>
-double cpuSeconds(Work&& work, int repetitions = kRepetitions) {
-  double best = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < repetitions; ++i) {
-    const std::clock_t start = std::clock();
-    consumed = consumed + work();
-    best = std::min(best, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
-  }
-  return best;
-}
+/// The least CPU time [s] of some calls.
+double seconds(const std::function<double()>& work) { return leastCpuSeconds(kRepetitions, work); }
 
 /// A drive along the walls of all rooms, then on patrol, then along the walls at another clearance,
 /// and so on: no two laps have the same positions.
@@ -143,7 +135,7 @@ double plainSeconds(const std::vector<AccessPointBins>& access_points,
                                                 static_cast<double>(one.bins.size()));
     const Eigen::MatrixXd precision = Eigen::MatrixXd::Constant(size, size, 0.5);
     const GridGeometry& geometry = loss.lattice.geometry;
-    sum += cpuSeconds([&] {
+    sum += seconds([&] {
       Eigen::VectorXd losses(size);
       for (Eigen::Index i = 0; i < size; ++i) {
         losses[i] =
@@ -178,7 +170,7 @@ double precisionSeconds(const std::vector<AccessPointBins>& access_points,
   for (const AccessPointBins& one : access_points) {
     const auto part = static_cast<std::size_t>((1.0 - config.holdout_fraction) *
                                                static_cast<double>(one.bins.size()));
-    sum += config.ensemble_size * cpuSeconds([&] {
+    sum += config.ensemble_size * seconds([&] {
              return precisionOf(one, part, config.line.covariance)
                  .times(Eigen::VectorXd::Ones(static_cast<Eigen::Index>(part)))
                  .sum();
@@ -194,7 +186,7 @@ double networkSeconds(const DriveFeatures& described, const Config& config,
   const WallNetwork network = shippedWallNetwork();
   const StyleShares style = model.shares(described.cells.style);
   const Grid<float> free = freeProbability(described.cells, model, style, UseRadio::kYes);
-  return cpuSeconds([&] {
+  return seconds([&] {
     return static_cast<double>(findWallsByNetwork(described, model, style, UseRadio::kYes, free,
                                                   1.0 - config.belief.free_threshold, network,
                                                   never)
@@ -219,32 +211,36 @@ void measure(double minutes, const Mapper& mapper, const std::vector<AccessPoint
   walls.line.covariance.nugget_db2 = config.tomography.nugget_db * config.tomography.nugget_db;
   const DrivenPath& path = described.path;
   const double precision = precisionSeconds(described.access_points, walls);
-  const double wall_field = cpuSeconds([&] {
+  const double wall_field = seconds([&] {
     return estimateWalls(path.cells.geometry, described.access_points, path.cells,
                          path.robot_radius_m, walls, never)
         .ray_loss_db[0][0];
   });
-  const double features = cpuSeconds([&] {
+  const double features = seconds([&] {
     return static_cast<double>(
         extractCellFeatures(path, described.access_points, described.walls, never).values[0][0]);
   });
   const double network = networkSeconds(described, config, never);
   const std::shared_ptr<const Snapshot> snapshot = mapper.infer();
-  const double inference = cpuSeconds([&] {
+  const double inference = seconds([&] {
     return static_cast<double>(mapper.infer()->belief.occupied({0, 0}));
   });
-  const double sorting = cpuSeconds([&] { return mapper.extent().min().x(); });
-  const double publishing = cpuSeconds([&] { return publishedBytes(*snapshot); });
-  const double octomaps = cpuSeconds([&] { return octomapBytes(*snapshot); });
-  const double refresh = inference + publishing;
+  const double sorting = seconds([&] { return mapper.extent().min().x(); });
+  const double publishing = seconds([&] { return publishedBytes(*snapshot); });
+  const double octomaps = seconds([&] { return octomapBytes(*snapshot); });
+  // While access points are due, a refresh checks them too.
+  const double checks = seconds([&] {
+    return static_cast<double>(DataChecker().checkChanged(*snapshot, never).fits.size());
+  });
+  const double refresh = inference + checks + publishing;
   const double plain = plainSeconds(described.access_points, walls);
   std::printf(
       "| %.0f min | %zu | %zu | %zu | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f "
-      "| %.1f | %.1f |\n",
+      "| %.3f | %.1f | %.1f |\n",
       minutes, mapper.readings().size(), countBins(described.access_points),
       described.cells.cells.size(), precision, wall_field, features, network,
-      inference - wall_field - features - network, sorting, publishing, refresh, octomaps, plain,
-      plain / refresh);
+      inference - wall_field - features - network, sorting, checks, publishing, refresh, octomaps,
+      plain, plain / refresh);
 }
 
 }  // namespace
@@ -256,9 +252,10 @@ int main() {
     const sfw::SimulatedRecording recording = sfw::simulate(scenario);
     std::puts(
         "| drive | readings | bins | cells | precisions [s] | walls, with these [s] |"
-        " features [s] | network [s] | rest, with sorting [s] | sorting [s] | publishing [s] |"
+        " features [s] | network [s] | rest, with sorting [s] | sorting [s] | checks [s] |"
+        " publishing [s] |"
         " refresh [s] | OctoMaps, if subscribed [s] | plain [s] | plain : refresh |\n"
-        "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
+        "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
     for (const double minutes : {5.0, 10.0, 30.0, 60.0}) {
       sfw::Mapper mapper(sfw::Config(), scenario.access_points);
       for (const sfw::Reading& reading : recording.readings) {

@@ -1,5 +1,5 @@
-// Measures the time of estimateWalls. Dense products with the precision, in the same run, are the
-// reference. Without sparse shadowing, the same solution would need these products.
+// Measures the CPU time of estimateWalls. Dense products with the precision, in the same run, are
+// the reference. Without sparse shadowing, the same solution would need these products.
 //
 // Usage: wall_field_benchmark [READINGS.csv ACCESS_POINTS.yaml]
 // It runs on a drive through a generated office floor of 400 m2, and on a recording if one is
@@ -8,7 +8,6 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <exception>
@@ -16,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "comparison.h"
 #include "office_floor.h"
 #include "radio/radio_bins.h"
 #include "simulation/radio/noise_level.h"
@@ -35,20 +35,6 @@ constexpr double kMargin = 1.0;  // [m]
 constexpr double kResolution = 0.05;
 constexpr double kRadius = 0.15;  // [m], of the robot
 
-volatile double consumed = 0.0;  // keeps the compiler from removing the work
-
-template <class Work>
-double seconds(Work&& work) {
-  double best = 1e300;
-  for (int i = 0; i < kRepetitions; ++i) {
-    const auto start = std::chrono::steady_clock::now();
-    consumed = consumed + work();
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-    best = std::min(best, taken.count());
-  }
-  return best;
-}
-
 /// The time of all products with dense matrices that the members' solutions need. One product of
 /// each matrix is measured.
 double denseSeconds(const std::vector<AccessPointBins>& access_points,
@@ -59,7 +45,8 @@ double denseSeconds(const std::vector<AccessPointBins>& access_points,
     const auto size = static_cast<Eigen::Index>(share * static_cast<double>(one.bins.size()));
     const Eigen::MatrixXd precision = Eigen::MatrixXd::Constant(size, size, 0.5);
     const Eigen::VectorXd residual = Eigen::VectorXd::Ones(size);
-    sum += seconds([&] { return Eigen::VectorXd(precision * residual).sum(); });
+    sum +=
+        leastCpuSeconds(kRepetitions, [&] { return Eigen::VectorXd(precision * residual).sum(); });
   }
   return sum * 2.0 * config.line.iterations * config.ensemble_size;
 }
@@ -82,7 +69,7 @@ void measure(const std::string& name, const std::vector<AccessPointBins>& access
   }
   const WallFieldConfig config;
   const std::atomic<bool> never{false};
-  const double ours = seconds([&] {
+  const double ours = leastCpuSeconds(kRepetitions, [&] {
     return estimateWalls(geometry, access_points, driven, kRadius, config, never).ray_loss_db[0][0];
   });
   const double dense = denseSeconds(access_points, config);

@@ -96,6 +96,23 @@ TEST(BeliefMap, TakesInvalidProbabilitiesForUnknown) {
   }
 }
 
+TEST(BeliefMap, ConvertsEachCellByItsBelief) {
+  Grid<float> occupied(GridGeometry(0.05, {0.0, 0.0}, 37, 11));
+  std::mt19937 random(3);
+  for (float& p : occupied.cells) {
+    p = static_cast<float>(random() % 1001) / 1000.0F;
+  }
+  const BeliefMap belief(occupied, {});
+  const std::vector<float> converted = belief.converted([](const CellBelief& cell) {
+    return cell.occupied + (cell.known ? 2.0F : 0.0F) + 4.0F * static_cast<float>(cell.state);
+  });
+  for (std::size_t i = 0; i < occupied.cells.size(); ++i) {
+    const Cell c = occupied.geometry.cell(i);
+    ASSERT_EQ(converted[i], belief.occupied(c) + (belief.known(c) ? 2.0F : 0.0F) +
+                                4.0F * static_cast<float>(belief.state(c)));
+  }
+}
+
 TEST(BeliefMap, AgreesWithItsMrptGrid) {
   Grid<float> occupied(GridGeometry(0.05, {-8.0, 16.0}, 160, 320));
   std::mt19937 random(2);
@@ -108,8 +125,8 @@ TEST(BeliefMap, AgreesWithItsMrptGrid) {
   EXPECT_EQ(grid.getSizeY(), 320U);
   EXPECT_NEAR(grid.getXMin(), -8.0, 1e-5);
   EXPECT_NEAR(grid.getYMax(), 32.0, 1e-5);
-  for (std::int64_t y = 0; y < 320; y += 7) {
-    for (std::int64_t x = 0; x < 160; x += 3) {
+  for (std::int64_t y = 0; y < 320; ++y) {
+    for (std::int64_t x = 0; x < 160; ++x) {
       const Position centre = occupied.geometry.centre({x, y});
       ASSERT_EQ(1.0F - grid.getPos(static_cast<float>(centre.x()), static_cast<float>(centre.y())),
                 belief.occupied({x, y}));

@@ -50,6 +50,12 @@ void expectPixels(const TranslucentImage& image, const Bytes& grey, const Bytes&
   EXPECT_EQ(image.opacity, opacity);
 }
 
+TEST_F(Png, KeepsTheColoursOfAPicture) {
+  const std::string file =
+      write("colours.png", encodeRgbPng(2, 2, {30, 60, 90, 255, 255, 255, 0, 0, 0, 9, 0, 0}));
+  expectPixels(readPng(file, GreyOf::kMean), {60, 255, 0, 3}, {255, 255, 255, 255});
+}
+
 TEST_F(Png, ReadsGreyOfEachDepth) {
   expectPixels(decoded({PNG_COLOR_TYPE_GRAY, 1, {{0b01000000}}}, 3), {0, 255, 0}, {255, 255, 255});
   expectPixels(decoded({PNG_COLOR_TYPE_GRAY, 2, {{0b00011011}}}, 4), {0, 85, 170, 255},

@@ -25,6 +25,30 @@ TEST(RadioBins, HoldMeanPositionMeanSignalAndCount) {
   EXPECT_EQ(binned.position, kAccessPoint);
 }
 
+TEST(RadioBins, AreFoundForTheirSamples) {
+  const BuildingFrame frame{0.3, BuildingFrame::Source::kHeadings};
+  std::vector<Sample> samples;
+  for (int i = 0; i < 60; ++i) {
+    samples.push_back({{0.11 * (i % 20), 0.7 * (i / 20)}, -40.0 - i});
+  }
+  samples.push_back({kAccessPoint, -20.0});  // too near for a bin
+  const AccessPointBins binned = binSamples(samples, kAccessPoint, std::nullopt, frame, kBin);
+  const std::vector<std::size_t> bin_of = binsOfSamples(samples, binned, frame, kBin);
+  ASSERT_EQ(bin_of.size(), samples.size());
+  EXPECT_EQ(bin_of.back(), binned.bins.size());
+  std::vector<double> readings(binned.bins.size());
+  for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
+    ASSERT_LT(bin_of[i], binned.bins.size());
+    const Position away =
+        binned.bins[bin_of[i]].position - frame.toBuilding(samples[i].antenna_in_map);
+    EXPECT_LE(away.cwiseAbs().maxCoeff(), kBin);
+    readings[bin_of[i]] += 1.0;
+  }
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    EXPECT_EQ(readings[i], binned.bins[i].readings);
+  }
+}
+
 TEST(RadioBins, AreInRowMajorOrderOnBothSidesOfTheOrigin) {
   const AccessPointBins binned = binsOf({{{0.7, 0.7}, -1.0},
                                          {{0.2, 0.7}, -2.0},
