@@ -54,6 +54,17 @@ class Radios {
     for (std::size_t i = 0; i < count; ++i) {
       index_of.emplace(recording.table[i].bssid, i);
     }
+    std::vector<std::size_t> most(
+        count);  // readings: vectors that grow would take twice the memory
+    for (const Reading& reading : recording.data.accepted) {
+      const auto found = index_of.find(reading.bssid);
+      if (found != index_of.end()) {
+        ++most[found->second];
+      }
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      signals[i].reserve(most[i]);
+    }
     add(recording.data.accepted, index_of);
     add(recording.data.refused, index_of);
     for (ByRadio* kind : {&signals, &others}) {

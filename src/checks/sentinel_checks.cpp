@@ -211,8 +211,11 @@ std::vector<SentinelFinding> findSentinels(const std::vector<AccessPoint>& table
                                            const std::vector<std::vector<Reading>>& refused) {
   Findings findings;
   for (std::size_t i = 0; i < table.size(); ++i) {
-    std::vector<Reading> rest = readings[i];
-    std::optional<double> value = sentinelOf(rest);
+    std::optional<double> value = sentinelOf(readings[i]);
+    std::vector<Reading> rest;  // the others
+    if (value) {
+      rest = readings[i];
+    }
     for (std::size_t values = 0; value && values < kMostValues; ++values) {
       add(*value, table[i].bssid, countOf(*value, rest), findings);
       removeValue(*value, rest);

@@ -17,6 +17,9 @@
 namespace sfw {
 namespace {
 
+/// Readings that another list holds: copies would take much memory.
+using ReadingPointers = std::vector<const Reading*>;
+
 bool isStampedAlike(const Reading& a, const Reading& b) {
   return a.stamp_ns == b.stamp_ns && a.bssid == b.bssid && a.robot == b.robot;
 }
@@ -46,12 +49,12 @@ bool isAt(const Reading& reading, const PathPose& pose) {
          reading.robot == pose.robot;
 }
 
-std::vector<PathPose> pathOf(const std::vector<Reading>& readings) {
+std::vector<PathPose> pathOf(const ReadingPointers& readings) {
   std::vector<PathPose> path;
-  for (const Reading& reading : readings) {
+  for (const Reading* reading : readings) {
     // Readings of one scan share a pose.
-    if (path.empty() || !isAt(reading, path.back())) {
-      path.push_back(poseOf(reading));
+    if (path.empty() || !isAt(*reading, path.back())) {
+      path.push_back(poseOf(*reading));
     }
   }
   return sortedPath(std::move(path));
@@ -112,9 +115,9 @@ PathMotion motionOf(const std::vector<PathPose>& path) {
 }
 
 /// Removes the stray poses of a robot's path, and its readings and contacts at them.
-void removeStray(const std::vector<bool>& stray, std::vector<Reading>& readings,
+void removeStray(const std::vector<bool>& stray, ReadingPointers& readings,
                  std::vector<Contact>& contacts, std::vector<PathPose>& path) {
-  eraseIf(readings, [&](const Reading& reading) { return stray[poseIndex(reading, path)]; });
+  eraseIf(readings, [&](const Reading* reading) { return stray[poseIndex(*reading, path)]; });
   eraseIf(contacts, [&](const Contact& contact) {
     return contact.robot == path.front().robot && stray[poseAt(contact.stamp_ns, path)];
   });
@@ -122,12 +125,13 @@ void removeStray(const std::vector<bool>& stray, std::vector<Reading>& readings,
   eraseIf(path, [&](const PathPose&) { return stray[i++]; });
 }
 
-std::vector<AccessPointReadings> byAccessPoint(const std::vector<Reading>& readings,
+std::vector<AccessPointReadings> byAccessPoint(const ReadingPointers& readings,
                                                const std::vector<PathPose>& path,
                                                const std::map<Bssid, std::size_t>& index_of) {
   std::vector<AccessPointReadings> all(index_of.size());
   std::size_t pose = 0;
-  for (const Reading& reading : readings) {
+  for (const Reading* pointer : readings) {
+    const Reading& reading = *pointer;
     const auto found = index_of.find(reading.bssid);
     if (found != index_of.end()) {
       AccessPointReadings& one = all[found->second];
@@ -144,7 +148,7 @@ std::vector<AccessPointReadings> byAccessPoint(const std::vector<Reading>& readi
 
 /// The data of one robot without its stray poses.
 struct RobotDrive {
-  std::vector<Reading> readings;
+  ReadingPointers readings;
   std::vector<PathPose> path;
   StrayPoses stray;
   PathMotion motion;
@@ -153,7 +157,7 @@ struct RobotDrive {
 /// @param readings  of one robot, by stamp
 /// @param poses     of the same robot, as sortedPath returns them
 /// @param contacts  of all robots; those at stray poses of this one are removed
-RobotDrive driveOf(std::vector<Reading> readings, const std::vector<PathPose>& poses,
+RobotDrive driveOf(ReadingPointers readings, const std::vector<PathPose>& poses,
                    std::vector<Contact>& contacts) {
   RobotDrive drive;
   drive.readings = std::move(readings);
@@ -190,12 +194,26 @@ void add(const PathMotion& other, PathMotion& sum) {
 }
 
 /// The items of one robot, in their order.
-template <class Item>
-std::vector<Item> ofRobot(const std::string& robot, const std::vector<Item>& items) {
+/// @param robotOf  the robot of an item
+template <class Item, class RobotOf>
+std::vector<Item> ofRobot(const std::string& robot, const std::vector<Item>& items,
+                          const RobotOf& robotOf) {
   std::vector<Item> own;
   std::copy_if(items.begin(), items.end(), std::back_inserter(own),
-               [&](const Item& item) { return item.robot == robot; });
+               [&](const Item& item) { return robotOf(item) == robot; });
   return own;
+}
+
+/// Points to the first reading of each radio by each robot at each stamp.
+ReadingPointers strongestOf(const std::vector<Reading>& sorted) {
+  ReadingPointers strongest;
+  strongest.reserve(sorted.size());
+  for (const Reading& reading : sorted) {
+    if (strongest.empty() || !isStampedAlike(*strongest.back(), reading)) {
+      strongest.push_back(&reading);
+    }
+  }
+  return strongest;
 }
 
 /// Moves items behind others.
@@ -208,14 +226,14 @@ void append(std::vector<Item>&& items, std::vector<Item>& all) {
   }
 }
 
-std::set<std::string> robotsOf(const std::vector<Reading>& readings) {
+std::set<std::string> robotsOf(const ReadingPointers& readings) {
   std::set<std::string> robots;
   const Reading* last = nullptr;
-  for (const Reading& reading : readings) {
-    if (last == nullptr || last->robot != reading.robot) {
-      robots.insert(reading.robot);
+  for (const Reading* reading : readings) {
+    if (last == nullptr || last->robot != reading->robot) {
+      robots.insert(reading->robot);
     }
-    last = &reading;
+    last = reading;
   }
   return robots;
 }
@@ -318,19 +336,22 @@ std::vector<Reading> strongestOfEachStamp(std::vector<Reading> sorted) {
   return sorted;
 }
 
-Inliers withoutStrayPoses(std::vector<Reading> sorted, std::vector<Contact> contacts,
+Inliers withoutStrayPoses(const std::vector<Reading>& sorted, std::vector<Contact> contacts,
                           const std::map<Bssid, std::size_t>& index_of,
                           const std::vector<PathPose>& poses) {
   Inliers inliers;
   inliers.stamped_alike = countStampedAlike(sorted);
-  std::vector<Reading> readings = strongestOfEachStamp(std::move(sorted));
+  ReadingPointers readings = strongestOf(sorted);
   inliers.contacts = std::move(contacts);
   const std::vector<PathPose> sorted_poses = sortedPath(poses);
-  std::vector<Reading> used;
+  ReadingPointers used;
   const std::set<std::string> robots = robotsOf(readings);
+  const auto robotOfReading = [](const Reading* one) -> const std::string& { return one->robot; };
+  const auto robotOfPose = [](const PathPose& pose) -> const std::string& { return pose.robot; };
   for (const std::string& robot : robots) {
-    RobotDrive drive = driveOf(robots.size() == 1 ? std::move(readings) : ofRobot(robot, readings),
-                               ofRobot(robot, sorted_poses), inliers.contacts);
+    RobotDrive drive =
+        driveOf(robots.size() == 1 ? std::move(readings) : ofRobot(robot, readings, robotOfReading),
+                ofRobot(robot, sorted_poses, robotOfPose), inliers.contacts);
     add(drive.stray, inliers.stray);
     add(drive.motion, inliers.motion);
     append(std::move(drive.readings), used);

@@ -31,7 +31,7 @@ struct Inliers {
 /// @param index_of  the index of each access point in the table; readings of others only add poses
 /// @param poses     of the path between readings, in any order; posesBetween selects from them
 /// O(n log n) for n readings and poses.
-Inliers withoutStrayPoses(std::vector<Reading> sorted, std::vector<Contact> contacts,
+Inliers withoutStrayPoses(const std::vector<Reading>& sorted, std::vector<Contact> contacts,
                           const std::map<Bssid, std::size_t>& index_of,
                           const std::vector<PathPose>& poses = {});
 

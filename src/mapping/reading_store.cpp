@@ -275,8 +275,8 @@ RecordingData ReadingStore::data() const {
   return {sortedByStamp(readings_), sortedByStamp(refused_), step_back_ns_};
 }
 
-Inliers ReadingStore::inliers(std::vector<Reading> sorted) const {
-  return withoutStrayPoses(std::move(sorted), contacts_, table_->index_of, poses_);
+Inliers ReadingStore::inliers(const std::vector<Reading>& sorted) const {
+  return withoutStrayPoses(sorted, contacts_, table_->index_of, poses_);
 }
 
 Box ReadingStore::extentOf(const Inliers& inliers) const {

@@ -63,7 +63,7 @@ class ReadingStore {
   /// The data of a map. O(readings log readings).
   /// @param sorted  all readings, as sortedByStamp returns them
   /// @{
-  Inliers inliers(std::vector<Reading> sorted) const;
+  Inliers inliers(const std::vector<Reading>& sorted) const;
   Inliers inliers() const { return inliers(sortedByStamp(readings_)); }
   /// @}
 
