@@ -8,7 +8,11 @@ set -euo pipefail
 mrpt_library=$1
 shift
 
-needs_mrpt() { ldd "$1" | grep -q 'libmrpt-\|libmrpt_'; }
+needs_mrpt() {
+  local needed
+  needed=$(ldd "$1") || { echo "$1 cannot be examined" >&2; exit 1; }
+  grep -q 'libmrpt[-_]' <<<"$needed"
+}
 
 failures=0
 needs_mrpt "$mrpt_library" || { echo "no MRPT library is seen in $mrpt_library"; failures=1; }
