@@ -7,7 +7,8 @@
 #include <utility>
 
 #include "base/limited_loss.h"
-#include "evaluation/signal_baselines.h"
+#include "files/mrpt_library.h"
+#include "localization/signal_field.h"
 #include "path/building_frame.h"
 #include "radio/nearest_neighbours.h"
 #include "radio/path_loss.h"
@@ -225,9 +226,11 @@ class Prediction {
       add(part, &field, walls_);
       const std::vector<Sample> known_means = samplesOf(part.known);
       const std::vector<Position> places = positionsOf(part.hidden);
-      addErrors(part.hidden, predictByKriging(known_means, places), kriging_db2_);
+      const SignalField kriging(known_means, learnConstantLaw(known_means));
+      addErrors(part.hidden, kriging.predict(places).mean_dbm, kriging_db2_);
       for (std::size_t i = 0; i < kKernelsM.size(); ++i) {
-        addErrors(part.hidden, predictByMrpt(known_means, places, kKernelsM[i]), mrpt_db2_[i]);
+        addErrors(part.hidden, mrptFunctions().predictSignals(known_means, places, kKernelsM[i]),
+                  mrpt_db2_[i]);
       }
       bins_ += part.hidden.bins.size();
     }

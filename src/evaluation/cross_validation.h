@@ -30,8 +30,8 @@ struct PredictionMetrics {
   double walls_db = 0.0;              ///< by distance and the walls found from the other stretches
   double distance_shadowed_db = 0.0;  ///< by distance and the signals of the nearest bins
   double walls_shadowed_db = 0.0;     ///< by all three
-  double kriging_db = 0.0;            ///< by predictByKriging, which knows no access point
-  double mrpt_db = 0.0;               ///< by predictByMrpt with the best of four kernels
+  double kriging_db = 0.0;            ///< by ordinary kriging, which knows no access point
+  double mrpt_db = 0.0;               ///< by MRPT's grid with the best of four kernels, likewise
 };
 
 /// Measures how well distance and walls predict hidden signals. It needs no true map.

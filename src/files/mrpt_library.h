@@ -7,6 +7,7 @@
 
 #include "files/png.h"
 #include "structure_from_wifi/grid_geometry.h"
+#include "structure_from_wifi/types.h"
 
 namespace mrpt::maps {
 class COccupancyGridMap2D;
@@ -26,6 +27,13 @@ struct MrptFunctions {
   /// Reads BMP, JPEG, TIFF, PPM and what else OpenCV can.
   /// @return no image if the file is damaged or has another format
   TranslucentImage (*readImage)(const std::string& file);
+
+  /// Predicts signals by CWirelessPowerGridMap2D with the kernel method DM+V.
+  /// @param known    samples, not empty
+  /// @param sigma_m  of the kernel
+  /// @return predicted signals [dBm], one for each position
+  std::vector<double> (*predictSignals)(const std::vector<Sample>& known,
+                                        const std::vector<Position>& positions, double sigma_m);
 };
 
 /// Loads libstructure_from_wifi_mrpt.so at the first call.
