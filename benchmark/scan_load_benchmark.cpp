@@ -100,9 +100,7 @@ void run() {
       const AnyMessage message = anyMessageOf(scan);
       transforms.setTransform(poseAt(seconds), "benchmark");
       const double start = cpuSeconds();
-      for (Observation& observation : convertReadings(message, {}).observations) {
-        queue.push(std::move(observation));
-      }
+      queue.push(convertReadings(message, {}).observations);
       queue.locate(transforms, scan.header.stamp,
                    [&](const LocatedObservation& observation) { mapper.insert(observation); });
       intake += cpuSeconds() - start;

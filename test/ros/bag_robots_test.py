@@ -67,6 +67,18 @@ class BagRobots(DriveTest):
         self.check("two_topics", self.drive.map("two_topics", bag, *self.FRAMES, "--scan-topic",
                                                 "/robot1/wifi_scan", "/robot2/wifi_scan"))
 
+    def test_without_frames_on_a_topic_each(self):
+        bag = self.drive.write("no_frames", self.robots(lambda robot: "/%s/wifi_scan" % robot,
+                                                        lambda robot: ""))
+        self.check("no_frames", self.drive.map("no_frames", bag, *self.FRAMES, "--scan-topic",
+                                               "/robot1/wifi_scan", "/robot2/wifi_scan"))
+
+    def test_without_frames_on_one_topic_no_robot_is_guessed(self):
+        bag = self.drive.write("guess", self.robots(lambda robot: "/wifi_scan", lambda robot: ""))
+        said = self.drive.map("guess", bag, *self.FRAMES, status=1)
+        self.assertIn("a message without a frame does not name its robot; publish it in the "
+                      "namespace of its robot, robot1 or robot2", said)
+
     def test_the_settings_name_the_frames_too(self):
         bag = self.drive.write("by_settings", self.robots(lambda robot: "/wifi_scan",
                                                           lambda robot: robot + "/base_link"))

@@ -181,7 +181,7 @@ TEST(InputStatistics, RemembersSoManyReasonsOnly) {
   InputStatistics statistics;
   const std::size_t scan = statistics.add("/scan", true);
   for (int i = 0; i < 1000; ++i) {
-    statistics.count(scan, {{}, 1, "frame " + std::to_string(i)}, 100.0);
+    statistics.count(scan, rejection("frame " + std::to_string(i)), 100.0);
   }
   const auto rejected = statistics.inputs(100.0)[scan].rejected;
   EXPECT_EQ(rejected.size(), 101U);
@@ -194,13 +194,17 @@ TEST(InputStatistics, CountsMessagesRatesAndRejections) {
   const std::size_t scan = statistics.add("/scan", true);
   const std::size_t contact = statistics.add("/contact", false);
   const Observation observation{ros::Time(1.0), UnlocatedReading{}};
+  Conversion conversion{{observation, observation}};
+  conversion.reject("odd");
+  conversion.reject("even", 2);
   for (int i = 0; i < 40; ++i) {
-    statistics.count(scan, {{observation, observation}, 1, "odd"}, 100.0 + 0.5 * i);
+    statistics.count(scan, conversion, 100.0 + 0.5 * i);
   }
   auto inputs = statistics.inputs(119.9);
   EXPECT_EQ(inputs[scan].messages, 40U);
   EXPECT_EQ(inputs[scan].observations, 80U);
   EXPECT_EQ(inputs[scan].rejected.at("odd"), 40U);
+  EXPECT_EQ(inputs[scan].rejected.at("even"), 80U) << "each reason has its own count";
   EXPECT_EQ(inputs[scan].rate_hz, 2.0);
   EXPECT_EQ(inputs[contact].messages, 0U);
   EXPECT_EQ(statistics.inputs(125.0)[scan].rate_hz, 0.8) << "four seconds are left of ten";

@@ -4,19 +4,18 @@
 #include <sensor_msgs/point_cloud2_iterator.h>
 #include <std_msgs/String.h>
 #include <structure_from_wifi/WifiScan.h>
-#include <tf2/buffer_core.h>
 #include <wireless_msgs/Connection.h>
 
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <functional>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "any_message_of.h"
-#include "ros/mapping/observation_queue.h"
 
 namespace sfw {
 namespace {
@@ -31,6 +30,15 @@ structure_from_wifi::ApReading apReading(const std::string& bssid, float rssi_db
   return reading;
 }
 
+/// What a conversion left out.
+std::size_t countOf(const Conversion& conversion) {
+  std::size_t sum = 0;
+  for (const auto& [reason, count] : conversion.rejected) {
+    sum += count;
+  }
+  return sum;
+}
+
 TEST(InputMessages, HaveOneTopicEach) {
   std::set<std::string> topics;
   for (const Input& input : kInputs) {
@@ -43,7 +51,7 @@ TEST(InputMessages, NameTheTypeThatATopicCannotHave) {
   for (const Input& input : kInputs) {
     const Conversion conversion = input.convert(anyMessageOf(std_msgs::String()), kContext);
     EXPECT_TRUE(conversion.observations.empty());
-    EXPECT_EQ(conversion.rejected, 1U) << input.topic;
+    EXPECT_EQ(countOf(conversion), 1U) << input.topic;
     EXPECT_NE(conversion.problem.find("type std_msgs/String"), std::string::npos) << input.topic;
   }
 }
@@ -55,7 +63,7 @@ TEST(InputMessages, RejectBytesThatAreNoMessageOfTheType) {
     AnyMessage message = anyMessageOf(scan);
     message.bytes.resize(message.bytes.size() + static_cast<std::size_t>(change));
     const Conversion conversion = convertReadings(message, kContext);
-    EXPECT_EQ(conversion.rejected, 1U) << change;
+    EXPECT_EQ(countOf(conversion), 1U) << change;
     EXPECT_TRUE(conversion.observations.empty()) << change;
     EXPECT_NE(conversion.problem.find("cannot be read"), std::string::npos) << conversion.problem;
   }
@@ -65,7 +73,7 @@ TEST(InputMessages, RejectAnotherVersionOfAContact) {
   AnyMessage message = anyMessageOf(std_msgs::Bool());
   message.md5[0] = message.md5[0] == '0' ? '1' : '0';
   const Conversion conversion = convertAnyContact(message, kContext);
-  EXPECT_EQ(conversion.rejected, 1U);
+  EXPECT_EQ(countOf(conversion), 1U);
   EXPECT_NE(conversion.problem.find("another version"), std::string::npos) << conversion.problem;
 }
 
@@ -105,20 +113,64 @@ TEST(InputMessages, RejectMalformedReadingsOfAScan) {
     scan.readings.push_back(apReading("02:00:00:00:00:01", -40.0F, age_s));
   }
   scan.readings.push_back(apReading("not a bssid", -40.0F, 0.0));
+  scan.readings.push_back(apReading("nor this", -40.0F, 0.0));
   scan.readings.push_back(apReading("02:00:00:00:00:01", -40.0F, 0.0));
   const Conversion conversion = convertReadings(anyMessageOf(scan), kContext);
   ASSERT_EQ(conversion.observations.size(), 1U);
   EXPECT_EQ(conversion.observations[0].stamp, kContext.received);  // the scan has no stamp
-  EXPECT_EQ(conversion.rejected, 5U);
-  EXPECT_NE(conversion.problem, "");
+  using Counts = std::map<std::string, std::size_t>;
+  EXPECT_EQ(conversion.rejected,
+            (Counts{{"a reading has no usable time or age", 4}, {"a BSSID is malformed", 2}}));
+  EXPECT_EQ(conversion.problem, "a reading has no usable time or age") << "the first one";
 }
 
-TEST(InputMessages, TakeAtMost1000ReadingsOfAScan) {
+TEST(InputMessages, TakeAtMost10000ReadingsOfAScanAndCountTheOthersApart) {
   structure_from_wifi::WifiScan scan;
-  scan.readings.assign(1200, apReading("02:00:00:00:00:01", -40.0F, 0.0));
-  const Conversion conversion = convertReadings(anyMessageOf(scan), kContext);
-  EXPECT_EQ(conversion.observations.size(), 1000U);
-  EXPECT_EQ(conversion.rejected, 200U);
+  scan.readings.assign(1500, apReading("02:00:00:00:00:01", -40.0F, 0.0));
+  const Conversion large = convertReadings(anyMessageOf(scan), kContext);
+  EXPECT_EQ(large.observations.size(), 1500U);
+  EXPECT_TRUE(large.rejected.empty());
+  scan.readings.assign(10200, apReading("02:00:00:00:00:01", -40.0F, 0.0));
+  scan.readings.front().bssid = "no address";
+  const Conversion huge = convertReadings(anyMessageOf(scan), kContext);
+  EXPECT_EQ(huge.observations.size(), kMostReadings);
+  EXPECT_EQ(huge.rejected.at("a BSSID is malformed"), 1U);
+  EXPECT_EQ(huge.rejected.at("the message has more than 10000 readings"), 199U);
+}
+
+TEST(InputMessages, TellANullInJsonFromTooManyReadings) {
+  std_msgs::String text;
+  text.data = R"({"data": [null, {"mac": "02:00:00:00:00:01", "rssi": -50, "type": "WiFi"}]})";
+  const Conversion conversion = convertReadings(anyMessageOf(text), kContext);
+  EXPECT_EQ(conversion.observations.size(), 1U);
+  EXPECT_EQ(conversion.problem, "a BSSID is malformed");
+}
+
+TEST(InputMessages, KeepNoMoreOfManyListsThanOfOne) {
+  AnyMessage message;
+  message.type = "smd_wifi_monitor/WifiStatus";
+  message.definition = "Device[] devices\n" + std::string(80, '=') +
+                       "\nMSG: smd_wifi_monitor/Device\nStation[] stations\n" +
+                       std::string(80, '=') +
+                       "\nMSG: smd_wifi_monitor/Station\nuint8[6] bssid\nint8 signal\n";
+  constexpr std::uint32_t kDevices = 60, kStations = 500;
+  const auto append = [&](std::uint32_t count) {
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(&count);
+    message.bytes.insert(message.bytes.end(), bytes, bytes + sizeof count);
+  };
+  append(kDevices);
+  for (std::uint32_t device = 0; device < kDevices; ++device) {
+    append(kStations);
+    for (std::uint32_t station = 0; station < kStations; ++station) {
+      const std::array<std::uint8_t, 7> bytes{2, 0, 0, 0, 0, 1, static_cast<std::uint8_t>(-50)};
+      message.bytes.insert(message.bytes.end(), bytes.begin(), bytes.end());
+    }
+  }
+  const Conversion conversion = convertReadings(message, kContext);
+  EXPECT_EQ(conversion.observations.size(), kMostReadings);
+  EXPECT_EQ(conversion.rejected.size(), 1U);
+  EXPECT_GT(conversion.rejected.at("the message has more than 10000 readings"), 10000U)
+      << "each of the last lists, which are not kept, counts once";
 }
 
 TEST(InputMessages, TakeTheLinkOfAnAssociatedRadio) {
@@ -148,13 +200,14 @@ TEST(InputMessages, PutAContactAtTheRimOfTheRobot) {
 TEST(InputMessages, RejectACloudWithoutCoordinates) {
   const Conversion conversion = convertContactPoints(sensor_msgs::PointCloud2(), kContext);
   EXPECT_TRUE(conversion.observations.empty());
-  EXPECT_EQ(conversion.rejected, 1U);
+  EXPECT_EQ(countOf(conversion), 1U);
   EXPECT_NE(conversion.problem, "");
 }
 
 /// Two points as a bumper's node sends them; the second is beyond the reach of bumpers.
 sensor_msgs::PointCloud2 bumperCloud() {
   sensor_msgs::PointCloud2 cloud;
+  cloud.header.frame_id = "bumper";
   sensor_msgs::PointCloud2Modifier modifier(cloud);
   modifier.setPointCloud2FieldsByString(1, "xyz");
   modifier.resize(2);
@@ -169,7 +222,7 @@ sensor_msgs::PointCloud2 bumperCloud() {
 TEST(InputMessages, TakeTheNearPointsOfACloud) {
   const Conversion conversion = convertContactPoints(bumperCloud(), kContext);
   ASSERT_EQ(conversion.observations.size(), 1U);
-  EXPECT_EQ(conversion.rejected, 0U);
+  EXPECT_EQ(countOf(conversion), 0U);
   const auto& contacts = std::get<UnlocatedContacts>(conversion.observations[0].content);
   ASSERT_EQ(contacts.points.size(), 1U);
   EXPECT_EQ(contacts.points[0], Eigen::Vector3d(0.5, -0.25, 0.125));
@@ -179,7 +232,17 @@ TEST(InputMessages, TakeAnEmptyCloudOfManyRowsAtOnce) {
   sensor_msgs::PointCloud2 cloud = bumperCloud();
   cloud.width = 0;
   cloud.height = 4294967295U;
-  EXPECT_EQ(convertContactPoints(cloud, kContext).rejected, 0U);
+  EXPECT_EQ(convertContactPoints(cloud, kContext).problem, "");
+}
+
+TEST(InputMessages, RejectACloudWithoutFrame) {
+  for (const std::string frame : {"", "/"}) {
+    sensor_msgs::PointCloud2 cloud = bumperCloud();
+    cloud.header.frame_id = frame;
+    const Conversion conversion = convertContactPoints(cloud, kContext);
+    EXPECT_TRUE(conversion.observations.empty());
+    EXPECT_EQ(conversion.problem, "the cloud of contact points cannot be read: it has no frame_id");
+  }
 }
 
 TEST(InputMessages, RejectACloudWhoseSizesContradictItsData) {
@@ -197,7 +260,7 @@ TEST(InputMessages, RejectACloudWhoseSizesContradictItsData) {
     faults[i](cloud);
     const Conversion conversion = convertContactPoints(cloud, kContext);
     EXPECT_TRUE(conversion.observations.empty()) << "fault " << i;
-    EXPECT_EQ(conversion.rejected, 1U) << "fault " << i;
+    EXPECT_EQ(countOf(conversion), 1U) << "fault " << i;
     EXPECT_NE(conversion.problem, "") << "fault " << i;
   }
 }
@@ -214,132 +277,71 @@ TEST(InputMessages, TellOfALeadingSlashInTheFrameOfAScanAndTakeItsReadings) {
   EXPECT_EQ(conversion.problem,
             "frames of tf2 have no leading slash; '/antenna' is taken as 'antenna'");
   EXPECT_EQ(conversion.observations.size(), 1U);
-  EXPECT_EQ(conversion.rejected, 0U);
+  EXPECT_EQ(countOf(conversion), 0U);
   scan.readings.push_back(apReading("no address", -40.0F, 0.0));
   EXPECT_EQ(convertReadings(anyMessageOf(scan), kContext).problem, "a BSSID is malformed");
 }
 
-TEST(InputMessages, TheFrameOfAScanNamesItsRobot) {
+/// Of two robots, on the topic of one, or of both if the frame is empty.
+InputContext contextOfTwo(const std::string& antenna_frame) {
   InputContext context = kContext;
+  context.antenna_frame = antenna_frame;
   context.antenna_frames = {"robot1/wifi", "robot2/wifi"};
+  return context;
+}
+
+TEST(InputMessages, TheFrameOfAScanNamesItsRobot) {
   structure_from_wifi::WifiScan scan;
-  scan.readings = {apReading("02:00:00:00:00:01", -40.0F, 0.0)};
-  const auto robotIn = [&](const std::string& frame) {
+  scan.readings = {apReading("02:00:00:00:00:01", -40.0F, 0.0),
+                   apReading("02:00:00:00:00:02", -40.0F, 0.0)};
+  const auto conversionIn = [&](const std::string& frame) {
     scan.header.frame_id = frame;
-    return convertReadings(anyMessageOf(scan), context).observations.at(0).robot;
+    return convertReadings(anyMessageOf(scan), contextOfTwo(""));
   };
-  EXPECT_EQ(robotIn("robot1/wifi"), "robot1/wifi");
-  EXPECT_EQ(robotIn("/robot2/wifi"), "robot2/wifi");
-  EXPECT_EQ(robotIn(""), "robot1/wifi");
-  wireless_msgs::Connection without_header;
-  without_header.bssid = "02:00:00:00:00:01";
-  without_header.signal_level = -50;
-  EXPECT_EQ(convertReadings(anyMessageOf(without_header), context).observations.at(0).robot,
-            "robot1/wifi");
-  scan.header.frame_id = "robot3/wifi";
-  const Conversion strange = convertReadings(anyMessageOf(scan), context);
+  EXPECT_EQ(conversionIn("robot1/wifi").observations.at(0).robot, "robot1/wifi");
+  EXPECT_EQ(conversionIn("/robot2/wifi").observations.at(1).robot, "robot2/wifi");
+  const Conversion strange = conversionIn("/robot3/wifi");
   EXPECT_TRUE(strange.observations.empty());
-  EXPECT_EQ(strange.rejected, 1U);
+  EXPECT_EQ(countOf(strange), 2U);
   EXPECT_EQ(strange.problem, "the frame of a scan, 'robot3/wifi', is none of ros/antenna_frames");
-  context.antenna_frames = {"robot1/wifi"};
-  EXPECT_EQ(convertReadings(anyMessageOf(scan), context).observations.at(0).robot, "")
+  InputContext alone = kContext;
+  alone.antenna_frames = {"robot1/wifi"};
+  EXPECT_EQ(convertReadings(anyMessageOf(scan), alone).observations.at(0).robot, "")
       << "one robot has any frame";
 }
 
-geometry_msgs::TransformStamped mapFromAntenna(double seconds, double x) {
-  geometry_msgs::TransformStamped transform;
-  transform.header.stamp = ros::Time(seconds);
-  transform.header.frame_id = "map";
-  transform.child_frame_id = "antenna";
-  transform.transform.translation.x = x;
-  transform.transform.rotation.w = 1.0;
-  return transform;
+TEST(InputMessages, TheTopicNamesTheRobotOfAMessageWithoutAFrame) {
+  wireless_msgs::Connection link;
+  link.bssid = "02:00:00:00:00:01";
+  link.signal_level = -50;
+  std_msgs::Bool contact;
+  contact.data = 1;
+  const Conversion reading = convertReadings(anyMessageOf(link), contextOfTwo("robot2/wifi"));
+  EXPECT_EQ(reading.observations.at(0).robot, "robot2/wifi");
+  const Conversion touch = convertContact(contact, contextOfTwo("robot2/wifi"));
+  EXPECT_EQ(std::get<UnlocatedContacts>(touch.observations.at(0).content).frame, "robot2/wifi");
+  for (const Conversion& nameless : {convertReadings(anyMessageOf(link), contextOfTwo("")),
+                                     convertContact(contact, contextOfTwo(""))}) {
+    EXPECT_TRUE(nameless.observations.empty());
+    EXPECT_EQ(countOf(nameless), 1U);
+    EXPECT_EQ(nameless.problem,
+              "a message without a frame does not name its robot; publish it in the namespace of "
+              "its robot, robot1 or robot2");
+  }
 }
 
-RosSettings rosConfig() {
-  RosSettings config;
-  config.antenna_frame = "antenna";
-  config.transform_timeout_s = 5.0;
-  config.max_waiting = 2;
-  return config;
-}
-
-Observation observationAt(double seconds) {
-  return {ros::Time(seconds), UnlocatedReading{*Bssid::parse("02:00:00:00:00:01"), -50.0}};
-}
-
-TEST(ObservationQueue, LocatesWhatTfKnowsAndKeepsTheRest) {
-  tf2::BufferCore transforms;
-  transforms.setTransform(mapFromAntenna(10.0, 1.0), "test");
-  transforms.setTransform(mapFromAntenna(11.0, 3.0), "test");
-  ObservationQueue queue(rosConfig());
-  queue.push(observationAt(12.0));
-  queue.push(observationAt(10.5));
-  std::vector<double> located_x;
-  const auto sink = [&](const LocatedObservation& located) {
-    located_x.push_back(located.readings.at(0).antenna_in_map.x());
+TEST(InputMessages, TheFrameOfAScanCountsMoreThanItsTopic) {
+  structure_from_wifi::WifiScan scan;
+  scan.readings = {apReading("02:00:00:00:00:01", -40.0F, 0.0)};
+  scan.header.frame_id = "robot1/wifi";
+  const auto robot = [&] {
+    return convertReadings(anyMessageOf(scan), contextOfTwo("robot2/wifi"))
+        .observations.at(0)
+        .robot;
   };
-  EXPECT_EQ(queue.locate(transforms, ros::Time(12.0), sink).located, 1U);
-  transforms.setTransform(mapFromAntenna(12.0, 5.0), "test");
-  EXPECT_EQ(queue.locate(transforms, ros::Time(12.1), sink).located, 1U);
-  EXPECT_EQ(located_x, (std::vector<double>{2.0, 5.0}));
-}
-
-TEST(ObservationQueue, DropsObservationsThatWaitTooLongOrAreTooMany) {
-  const tf2::BufferCore transforms;
-  ObservationQueue queue(rosConfig());
-  for (const double seconds : {10.0, 11.0, 12.0}) {
-    queue.push(observationAt(seconds));
-  }
-  const auto unexpected = [](const LocatedObservation&) { FAIL() << "tf knows no transform"; };
-  const ObservationQueue::Outcome first = queue.locate(transforms, ros::Time(14.0), unexpected);
-  EXPECT_EQ(first.overflowed, 1U);
-  EXPECT_EQ(first.expired, 0U);
-  const ObservationQueue::Outcome later = queue.locate(transforms, ros::Time(17.5), unexpected);
-  EXPECT_EQ(later.overflowed, 0U);
-  EXPECT_EQ(later.expired, 2U);
-  EXPECT_NE(later.tf_error, "");
-}
-
-TEST(ObservationQueue, UnusableObservationsTakeNoPlaceOfUsableOnes) {
-  const tf2::BufferCore no_transforms;
-  RosSettings config = rosConfig();
-  config.max_waiting = 20;
-  ObservationQueue queue(config);
-  const Observation percent{ros::Time(10.0),
-                            UnlocatedReading{*Bssid::parse("02:00:00:00:00:01"), 70.0}};
-  for (int i = 0; i < 20; ++i) {
-    queue.push(observationAt(10.0 + 0.01 * i));
-  }
-  for (int i = 0; i < 1000; ++i) {
-    queue.push(percent);
-  }
-  const auto unexpected = [](const LocatedObservation&) { FAIL() << "tf knows no transform"; };
-  const ObservationQueue::Outcome flooded =
-      queue.locate(no_transforms, ros::Time(11.0), unexpected);
-  EXPECT_EQ(flooded.overflowed, 0U);
-  EXPECT_EQ(flooded.unusable, 998U);
-  EXPECT_EQ(queue.size(), 22U);
-  queue.push(observationAt(11.0));  // after a call of locate() the counts hold, too
-  queue.push(percent);
-  const ObservationQueue::Outcome later = queue.locate(no_transforms, ros::Time(11.0), unexpected);
-  EXPECT_EQ(later.overflowed, 1U);
-  EXPECT_EQ(later.unusable, 1U);
-}
-
-TEST(ObservationQueue, AnOldUnusableObservationGoesWithTheOldestUsableOne) {
-  const tf2::BufferCore no_transforms;
-  ObservationQueue queue(rosConfig());  // two may wait
-  queue.push({ros::Time(10.0), UnlocatedReading{*Bssid::parse("02:00:00:00:00:01"), 70.0}});
-  for (const double seconds : {10.0, 11.0, 12.0}) {
-    queue.push(observationAt(seconds));
-  }
-  const auto unexpected = [](const LocatedObservation&) { FAIL() << "tf knows no transform"; };
-  const ObservationQueue::Outcome outcome =
-      queue.locate(no_transforms, ros::Time(12.0), unexpected);
-  EXPECT_EQ(outcome.overflowed, 1U);
-  EXPECT_EQ(outcome.unusable, 1U);
-  EXPECT_EQ(queue.size(), 2U);
+  EXPECT_EQ(robot(), "robot1/wifi");
+  scan.header.frame_id = "wlan0";
+  EXPECT_EQ(robot(), "robot2/wifi");
 }
 
 }  // namespace

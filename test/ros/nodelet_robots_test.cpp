@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 #include <sensor_msgs/PointCloud2.h>
 #include <sensor_msgs/point_cloud2_iterator.h>
+#include <std_msgs/Bool.h>
 #include <structure_from_wifi/LoadMap.h>
+#include <wireless_msgs/Connection.h>
 
 #include <cmath>
 #include <map>
@@ -120,17 +122,61 @@ TEST_F(NodeletRobotsTest, MakeOneMapFromTwoTreesOfTf) {
   EXPECT_EQ(savedFile("readings.csv"), before) << "a session merges robot by robot";
 }
 
-TEST_F(NodeletRobotsTest, AScanWithAStrangeFrameIsToldAndOneWithoutIsOfTheFirst) {
+TEST_F(NodeletRobotsTest, AScanOfNoRobotIsLeftOutAndTold) {
   load();
   sendTree("robot1", 0);
   sendTree("robot2", 0);
   sendScanOf("robot3/base_link", 0, {{kNear, -50.0F}});
   EXPECT_TRUE(logs(rosgraph_msgs::Log::WARN, "'robot3/base_link', is none of ros/antenna_frames"));
   sendScanOf("", 0, {{kNear, -60.0F}});
+  EXPECT_TRUE(logs(rosgraph_msgs::Log::WARN,
+                   "wifi_scan: a message without a frame does not name its robot"));
+  sendScanOf("robot2/base_link", 0, {{kNear, -70.0F}});
   const Rows rows = rowsOf("readings.csv", 1);
   ASSERT_EQ(rows.size(), 1U);
-  EXPECT_EQ(fieldsOf(rows[0]).back(), "robot1/base_link");
-  EXPECT_EQ(fieldsOf(rows[0])[4], "-60.00");
+  EXPECT_EQ(fieldsOf(rows[0]).back(), "robot2/base_link");
+}
+
+TEST_F(NodeletRobotsTest, AMessageWithoutAFrameIsOfTheRobotOfItsTopic) {
+  ros::NodeHandle node;
+  const ros::Publisher shared = node.advertise<std_msgs::Bool>(name_ + "/contact", 10);
+  const ros::Publisher bumper = node.advertise<std_msgs::Bool>(name_ + "/robot2/contact", 10);
+  const ros::Publisher link =
+      node.advertise<wireless_msgs::Connection>(name_ + "/robot2/connection", 10);
+  load();
+  ASSERT_TRUE(spinUntil(
+      [&] {
+        return shared.getNumSubscribers() > 0 && bumper.getNumSubscribers() > 0 &&
+               link.getNumSubscribers() > 0;
+      },
+      30.0));
+  for (int i = 0; i < 2; ++i) {
+    sendTree("robot1", i);
+    sendTree("robot2", i);
+  }
+  std_msgs::Bool touch;
+  touch.data = 1;
+  shared.publish(touch);
+  EXPECT_TRUE(logs(rosgraph_msgs::Log::WARN,
+                   "contact: a message without a frame does not name its robot; publish it in the "
+                   "namespace of its robot, robot1 or robot2"));
+  bumper.publish(touch);
+  wireless_msgs::Connection connection;
+  connection.bssid = kNear;
+  connection.signal_level = -50;
+  link.publish(connection);
+  const Rows readings = rowsOf("readings.csv", 1);
+  ASSERT_EQ(readings.size(), 1U);
+  EXPECT_EQ(fieldsOf(readings[0]).back(), "robot2/base_link");
+  const Rows contacts = rowsOf("contacts.csv", 1);
+  ASSERT_EQ(contacts.size(), 1U);
+  const Rows fields = fieldsOf(contacts[0]);
+  EXPECT_EQ(fields.back(), "robot2/base_link");
+  EXPECT_NEAR(std::stod(fields[2]), 5.0, 1e-4);
+  EXPECT_TRUE(hasValue("inputs",
+                       name_ + "/contact: rejected: a message without a frame does not name its "
+                               "robot; publish it in the namespace of its robot, robot1 or robot2",
+                       "1"));
 }
 
 TEST_F(NodeletRobotsTest, ContactsBelongToTheRobotOfTheirTree) {

@@ -99,7 +99,7 @@ TEST_F(PathFromTf, ComesWithAReadingThatTheQueueLocates) {
   const Bssid bssid = *Bssid::parse("02:00:00:00:00:01");
   std::size_t samples = 0;
   for (const double s : {101.0, 105.0}) {
-    queue.push({ros::Time(s), UnlocatedReading{bssid, -50.0}});
+    queue.push({{ros::Time(s), UnlocatedReading{bssid, -50.0}}});
     queue.locate(transforms_, ros::Time(110.0),
                  [&](const LocatedObservation& located) { samples += located.way.size(); });
   }

@@ -88,7 +88,7 @@ TEST(ObservationQueue, AnExceptionCostsOneObservation) {
   transforms.setTransform(pose, "test", true);
   ObservationQueue queue{RosSettings()};
   for (int i = 1; i <= 5; ++i) {
-    queue.push({ros::Time(i), UnlocatedReading{Bssid(), -50.0}});
+    queue.push({{ros::Time(i), UnlocatedReading{Bssid(), -50.0}}});
   }
   int seen = 0;
   const auto sink = [&](const LocatedObservation&) {

@@ -2,7 +2,7 @@
 //
 // Usage: read_scans BAG [SETTINGS]
 // A reading is a line: topic, BSSID, dBm and nanoseconds. A problem is a line: topic, "problem",
-// the number of rejected readings, and the words. Tabulators stand between them.
+// the number of readings rejected for it, and the words. Tabulators stand between them.
 
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <map>
 
 #include "ros/conversion/input_messages.h"
 #include "ros/conversion/ros_settings.h"
@@ -22,9 +23,11 @@ void print(const std::string& topic, const sfw::Conversion& conversion) {
     std::printf("%s\t%s\t%.3f\t%llu\n", topic.c_str(), reading.bssid.str().c_str(),
                 reading.rssi_dbm, static_cast<unsigned long long>(observation.stamp.toNSec()));
   }
-  if (!conversion.problem.empty()) {
-    std::printf("%s\tproblem\t%zu\t%s\n", topic.c_str(), conversion.rejected,
-                conversion.problem.c_str());
+  std::map<std::string, std::size_t> problems = conversion.rejected;
+  problems.emplace(conversion.problem, 0);
+  problems.erase("");
+  for (const auto& [problem, count] : problems) {
+    std::printf("%s\tproblem\t%zu\t%s\n", topic.c_str(), count, problem.c_str());
   }
 }
 

@@ -89,7 +89,10 @@ TEST(RosSettings, SeveralRobotsHaveAFrameEach) {
   settings.odom_frame = "robot1/odom";
   EXPECT_EQ(validate(settings).size(), 1U);
   EXPECT_EQ(brokenBy("ros/antenna_frames", std::string("robot1/wifi robot1/wifi")),
-            (Names{"ros/antenna_frames", "ros/antenna_frames"}));
+            Names{"ros/antenna_frames"});
+  EXPECT_EQ(brokenBy("ros/antenna_frames", std::string("robot-1/wifi robot_1/wifi")),
+            Names{"ros/antenna_frames"})
+      << "their topics would be the same";
 }
 
 /// Names and values of all settings, as text.

@@ -11,6 +11,7 @@
 #include "ros/bags/bag_files.h"
 #include "ros/bags/bag_transforms.h"
 #include "ros/conversion/input_messages.h"
+#include "ros/conversion/robot_topics.h"
 #include "ros/mapping/floors.h"
 #include "ros/mapping/insertion.h"
 #include "ros/mapping/odometry_frame.h"
@@ -63,8 +64,8 @@ class Insertion {
         robots_(settings.ros) {}
 
   void insert(const Conversion& conversion, BagReading& reading) {
-    if (conversion.rejected > 0) {
-      reading.rejected[conversion.problem] += conversion.rejected;
+    for (const auto& [reason, count] : conversion.rejected) {
+      reading.rejected[reason] += count;
     }
     for (const Observation& observation : conversion.observations) {
       ++reading.observations;
@@ -156,7 +157,7 @@ BagReading read(const BagFiles& bags, const std::string& tf_topic, const BagTopi
   }
   Insertion insertion(settings, transforms, spans, mapper);
   InputContext context{{},
-                       robots.settings().front().antenna_frame,
+                       "",
                        settings.config.path.footprint_radius_m,
                        toScanFormat(settings.scan),
                        antennaFrames(settings.ros)};
@@ -166,6 +167,7 @@ BagReading read(const BagFiles& bags, const std::string& tf_topic, const BagTopi
       continue;
     }
     context.received = message.getTime();
+    context.antenna_frame = robotOfTopic(message.getTopic(), context.antenna_frames);
     const Conversion conversion = input->convert(toAnyMessage(message), context);
     if (!conversion.problem.empty() && input->is_radio) {
       reading.problems[message.getTopic()] = conversion.problem;

@@ -105,7 +105,9 @@ std::vector<const Json*> FieldPath::elements(const Json& from) const {
     std::vector<const Json*> next;
     for (const Json* object : found) {
       const Json* value = memberOf(*object, parts_[i].name);
-      if (value != nullptr && !is_list) {
+      if (object->is_null()) {
+        next.push_back(object);
+      } else if (value != nullptr && !is_list) {
         next.push_back(value);
       } else if (value != nullptr && value->is_array()) {
         for (const Json& element : *value) {

@@ -37,7 +37,8 @@ class FieldPath {
   /// The length of the first list on the path; 0 without one.
   std::size_t length(const nlohmann::json& from) const;
 
-  /// The elements of the list at the path, and of the lists on the way to it.
+  /// The elements of the list at the path, and of the lists on the way to it. A null on the way is
+  /// taken for one element.
   std::vector<const nlohmann::json*> elements(const nlohmann::json& from) const;
 
  private:

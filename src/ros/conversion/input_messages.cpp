@@ -9,6 +9,7 @@
 #include "ros/conversion/cloud_points.h"
 #include "ros/conversion/message_layout.h"
 #include "ros/conversion/message_values.h"
+#include "ros/conversion/robot_topics.h"
 #include "ros/conversion/ros_settings.h"
 #include "ros/conversion/scan_reader.h"
 
@@ -21,12 +22,12 @@ ros::Time stampOr(const ros::Time& stamp, const ros::Time& received) {
 
 /// Rejects a message of a type that its input does not take.
 Conversion rejectType(const AnyMessage& message, const std::string& taken) {
-  return {{}, 1, "its messages are of type " + printableType(message) + ", and not " + taken};
+  return rejection("its messages are of type " + printableType(message) + ", and not " + taken);
 }
 
 Conversion rejectDamaged(const AnyMessage& message, const std::exception& error) {
-  return {
-      {}, 1, "a message of type " + printableType(message) + " cannot be read: " + error.what()};
+  return rejection("a message of type " + printableType(message) +
+                   " cannot be read: " + error.what());
 }
 
 template <class Message>
@@ -52,6 +53,17 @@ std::optional<Message> readAs(const AnyMessage& any) {
   return message;
 }
 
+/// Why a message on a topic of several robots belongs to none of them.
+std::string whyOfNoRobot(const std::vector<std::string>& antenna_frames) {
+  std::string namespaces;
+  for (const std::string& name : robotNames(antenna_frames)) {
+    namespaces += (namespaces.empty() ? "" : " or ") + name;
+  }
+  return "a message without a frame does not name its robot; publish it in the namespace of its "
+         "robot, " +
+         namespaces;
+}
+
 /// Converts a message of one type.
 /// @param taken  types that the input takes, in words
 template <class Message>
@@ -62,9 +74,8 @@ Conversion convertAs(Conversion (*convert)(const Message&, const InputContext&),
       return rejectType(any, taken);
     }
     const std::optional<Message> message = readAs<Message>(any);
-    return message
-               ? convert(*message, context)
-               : Conversion{{}, 1, "its messages are of another version of " + printableType(any)};
+    return message ? convert(*message, context)
+                   : rejection("its messages are of another version of " + printableType(any));
   } catch (const std::exception& error) {
     return rejectDamaged(any, error);
   }
@@ -76,6 +87,9 @@ Conversion convertContact(const std_msgs::Bool& contact, const InputContext& con
   if (contact.data == 0) {
     return {};
   }
+  if (context.antenna_frame.empty()) {
+    return rejection(whyOfNoRobot(context.antenna_frames));
+  }
   const UnlocatedContacts ahead{context.antenna_frame, {{context.footprint_radius_m, 0.0, 0.0}}};
   return {{{context.received, ahead}}};
 }
@@ -84,41 +98,48 @@ Conversion convertContactPoints(const sensor_msgs::PointCloud2& cloud,
                                 const InputContext& context) {
   constexpr double kFarthestM = 2.0;
   try {
+    if (withoutSlash(cloud.header.frame_id).empty()) {
+      throw std::runtime_error("it has no frame_id");
+    }
     const UnlocatedContacts contacts{withoutSlash(cloud.header.frame_id),
                                      nearPoints(cloud, kFarthestM)};
     Conversion conversion{{{stampOr(cloud.header.stamp, context.received), contacts}}};
     conversion.problem = slashProblem(cloud.header.frame_id);
     return conversion;
   } catch (const std::runtime_error& error) {
-    return {{}, 1, "the cloud of contact points cannot be read: " + std::string(error.what())};
+    return rejection("the cloud of contact points cannot be read: " + std::string(error.what()));
   }
 }
 
-Conversion withRobot(Conversion conversion, const std::vector<std::string>& antenna_frames) {
+Conversion withRobot(Conversion conversion, const InputContext& context) {
   constexpr std::size_t kLongest = 100;
-  if (antenna_frames.size() < 2 || conversion.observations.empty()) {
+  const std::vector<std::string>& frames = context.antenna_frames;
+  if (frames.size() < 2 || conversion.observations.empty()) {
     return conversion;
   }
-  const auto robot = conversion.frame.empty() ? antenna_frames.begin()
-                                              : std::find(antenna_frames.begin(),
-                                                          antenna_frames.end(), conversion.frame);
-  if (robot == antenna_frames.end()) {
-    conversion.rejected += conversion.observations.size();
+  const bool names_robot =
+      std::find(frames.begin(), frames.end(), conversion.frame) != frames.end();
+  const std::string robot = names_robot ? conversion.frame : context.antenna_frame;
+  if (robot.empty()) {
+    const std::string reason = conversion.frame.empty()
+                                   ? whyOfNoRobot(frames)
+                                   : "the frame of a scan, '" +
+                                         printable(conversion.frame, kLongest) +
+                                         "', is none of ros/antenna_frames";
+    conversion.problem.clear();  // what hides all readings is told first
+    conversion.reject(reason, conversion.observations.size());
     conversion.observations.clear();
-    conversion.problem = "the frame of a scan, '" + printable(conversion.frame, kLongest) +
-                         "', is none of ros/antenna_frames";
     return conversion;
   }
   for (Observation& observation : conversion.observations) {
-    observation.robot = *robot;
+    observation.robot = robot;
   }
   return conversion;
 }
 
 Conversion convertReadings(const AnyMessage& message, const InputContext& context) {
   try {
-    return withRobot(readScan(message, context.scan_format, context.received),
-                     context.antenna_frames);
+    return withRobot(readScan(message, context.scan_format, context.received), context);
   } catch (const std::exception& error) {
     return rejectDamaged(message, error);
   }

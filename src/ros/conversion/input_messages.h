@@ -17,23 +17,24 @@ namespace sfw {
 /// The inputs of a conversion besides the message.
 struct InputContext {
   ros::Time received;  ///< replaces a missing stamp
+  /// Of the robot that has the topic. Empty: the topic is that of several robots.
   std::string antenna_frame;
   double footprint_radius_m = 0.0;
   ScanFormat scan_format = {};                   ///< of the settings
   std::vector<std::string> antenna_frames = {};  ///< of all robots, if there are several
 };
 
-/// Converts a bumper without direction to a contact ahead of the antenna, at the robot's rim.
+/// Converts a bumper without direction to a contact ahead of the antenna, at the robot's rim. On a
+/// topic of several robots it is rejected, because it does not name its robot.
 Conversion convertContact(const std_msgs::Bool& contact, const InputContext& context);
 
 /// Converts the points of a bumper's cloud within 2 m. Nodes with such clouds publish distant
 /// points for bumpers that are not pressed.
 Conversion convertContactPoints(const sensor_msgs::PointCloud2& cloud, const InputContext& context);
 
-/// Names the robot of a scan: the one whose antenna frame is that of the scan. Scans without a
-/// frame belong to the first robot. All readings of a scan with another frame are rejected.
-/// @param antenna_frames  of all robots; with fewer than two, nothing changes
-Conversion withRobot(Conversion conversion, const std::vector<std::string>& antenna_frames);
+/// Names the robot of a scan: the one whose antenna frame is that of the scan, or else the one that
+/// has the topic. If there is none, all readings are rejected. One robot alone has no name.
+Conversion withRobot(Conversion conversion, const InputContext& context);
 
 /// Convert a message of any type. One of a type that they cannot read is rejected, and the problem
 /// names its type. They never throw.

@@ -2,6 +2,7 @@
 
 #include <cstring>
 
+#include "ros/conversion/scan_format.h"
 #include "structure_from_wifi/input_error.h"
 
 namespace sfw {
@@ -9,7 +10,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::uint64_t kMostMessages = 1000;  // of an array; more stand for no readings
+// In all arrays together: twice kMostReadings, since readings may stand in lists of lists.
+constexpr std::size_t kMostMessages = 2 * kMostReadings;
 
 class ValueReader {
  public:
@@ -61,7 +63,9 @@ class ValueReader {
     Json array = Json::array();
     const bool is_message = field.type == FieldType::kMessage;
     for (std::uint64_t i = 0; least > 0 && i < count; ++i) {
-      Json value = readOne(field, keeps && (!is_message || i < kMostMessages));
+      const bool is_kept = keeps && (!is_message || kept_messages_ < kMostMessages);
+      kept_messages_ += is_kept && is_message ? 1 : 0;
+      Json value = readOne(field, is_kept);
       if (keeps) {
         array.push_back(std::move(value));
       }
@@ -139,6 +143,7 @@ class ValueReader {
   const std::set<std::string>& wanted_;
   const std::uint8_t* next_;
   std::uint64_t left_;
+  std::size_t kept_messages_ = 0;
 };
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace sfw {
 
 /// Reads the values of a message into a tree of objects, arrays, numbers and texts. A time or a
-/// duration becomes an object of `secs` and `nsecs`. After the first 1000 messages of an array come
+/// duration becomes an object of `secs` and `nsecs`. After the first 20000 messages in arrays come
 /// nulls.
 ///
 /// It never reads outside of the bytes, and takes time and memory in proportion to them, whatever

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <map>
 #include <string>
 #include <variant>
 #include <vector>
@@ -29,7 +30,7 @@ struct UnlocatedContacts {
 struct Observation {
   ros::Time stamp;
   std::variant<UnlocatedReading, UnlocatedContacts> content;
-  std::string robot = {};  ///< antenna frame of the robot, if a scan of several robots names it
+  std::string robot = {};  ///< antenna frame of the robot that made a scan, if there are several
 };
 
 /// Whether the mapper can use an observation. It counts the others, and tells why.
@@ -38,12 +39,27 @@ inline bool isUsable(const Observation& observation) {
   return reading == nullptr || isInRssiRange(reading->rssi_dbm);
 }
 
-/// The usable observations of a message, with the count and the problem of the others.
+/// The usable observations of a message, and why others were left out.
 struct Conversion {
   std::vector<Observation> observations = {};
-  std::size_t rejected = 0;  ///< readings, clouds or whole messages left out
-  std::string problem = {};  ///< of the message, in words; empty if there is none
-  std::string frame = {};    ///< of a scan, without a leading slash; empty if it has none
+  std::string problem = {};  ///< of the message, the first one, in words; empty if there is none
+  std::map<std::string, std::size_t> rejected = {};  ///< readings, clouds or messages, by reason
+  std::string frame = {};  ///< of a scan, without a leading slash; empty if it has none
+
+  /// Counts something left out. The first reason is the problem, too.
+  void reject(const std::string& reason, std::size_t count = 1) {
+    rejected[reason] += count;
+    if (problem.empty()) {
+      problem = reason;
+    }
+  }
 };
+
+/// The conversion of a message, or of a cloud, that is left out.
+inline Conversion rejection(const std::string& reason) {
+  Conversion conversion;
+  conversion.reject(reason);
+  return conversion;
+}
 
 }  // namespace sfw

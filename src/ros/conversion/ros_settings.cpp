@@ -8,6 +8,7 @@
 #include "base/validation.h"
 #include "files/settings_tree.h"
 #include "files/text.h"
+#include "ros/conversion/robot_topics.h"
 
 namespace sfw {
 namespace {
@@ -46,9 +47,12 @@ void checkAntennaFrames(const RosSettings& settings, Problems& problems) {
   }
   for (const std::string& frame : frames) {
     problems.frame("ros/antenna_frames", frame);
-    problems.require(std::count(frames.begin(), frames.end(), frame) == 1, "ros/antenna_frames",
-                     "'" + settings.antenna_frames + "'", "frames that differ");
   }
+  std::vector<std::string> names = robotNames(frames);
+  std::sort(names.begin(), names.end());
+  problems.require(std::unique(names.begin(), names.end()) == names.end(), "ros/antenna_frames",
+                   "'" + settings.antenna_frames + "'",
+                   "frames that differ in letters, digits, '_' and '/'");
   problems.require(settings.odom_frame.empty() || settings.odom_frame == settings.map_frame,
                    "ros/odom_frame", "'" + settings.odom_frame + "'",
                    "empty or ros/map_frame if ros/antenna_frames names several robots");

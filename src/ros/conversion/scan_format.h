@@ -1,10 +1,15 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace sfw {
+
+/// The readings of a message that are taken, at most: more than any radio hears, and more than a
+/// program collects between two messages.
+inline constexpr std::size_t kMostReadings = 10000;
 
 /// What the numbers of a signal strength mean.
 enum class SignalUnit {

@@ -43,10 +43,12 @@ class ScanReader {
         frame_(kFrame) {}
 
   Conversion read() {
-    constexpr std::size_t kMostReadings = 1000;  // far more than any radio hears
-    for (const auto& [reading, index] : readings()) {
-      if (conversion_.observations.size() == kMostReadings || reading->is_null()) {
-        reject("the message has more than 1000 readings");
+    const auto all = readings();
+    const bool is_cut = all.size() > kMostReadings;  // readValues puts nulls for what is too much
+    for (const auto& [reading, index] : all) {
+      if (conversion_.observations.size() == kMostReadings || (is_cut && reading->is_null())) {
+        conversion_.reject("the message has more than " + std::to_string(kMostReadings) +
+                           " readings");
       } else {
         take(*reading, index);
       }
@@ -86,20 +88,20 @@ class ScanReader {
     }
     const Json* fresh = value(fresh_);
     if (fresh != nullptr && (*fresh == false || *fresh == 0)) {
-      return reject("the driver marks readings as old");
+      return conversion_.reject("the driver marks readings as old");
     }
     const std::optional<Bssid> bssid = literal_ ? literal_ : bssidOf(value(bssid_));
     const std::optional<double> rssi = strengthOf(value(rssi_));
     if (format_.is_link && (!bssid || !rssi)) {
       conversion_.problem = "the radio is not associated";
     } else if (!bssid) {
-      reject("a BSSID is malformed");
+      conversion_.reject("a BSSID is malformed");
     } else if (!rssi) {
-      reject("a signal strength is 0 or missing");
+      conversion_.reject("a signal strength is 0 or missing");
     } else if (const std::optional<ros::Time> stamp = stampOf(reading, index)) {
       conversion_.observations.push_back({*stamp, UnlocatedReading{*bssid, *rssi}});
     } else {
-      reject("a reading has no usable time or age");
+      conversion_.reject("a reading has no usable time or age");
     }
   }
 
@@ -164,13 +166,6 @@ class ScanReader {
     return ros::Time(seconds);
   }
 
-  void reject(const char* problem) {
-    ++conversion_.rejected;
-    if (conversion_.problem.empty()) {
-      conversion_.problem = problem;
-    }
-  }
-
   const ScanFormat& format_;
   const Json& message_;
   const ros::Time received_;
@@ -209,7 +204,7 @@ std::set<std::string> namesIn(const ScanFormat& format) {
 }
 
 Conversion problem(const AnyMessage& message, const std::string& what) {
-  return {{}, 1, "its messages are of type " + printableType(message) + ", " + what};
+  return rejection("its messages are of type " + printableType(message) + ", " + what);
 }
 
 /// The formats for a message; that of the settings alone, if there is one.

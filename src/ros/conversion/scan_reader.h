@@ -10,7 +10,7 @@ namespace sfw {
 
 /// Takes the readings of a message by a format of its type.
 ///
-/// At most 1000 readings are taken; the others are rejected. Readings without a usable address or
+/// At most kMostReadings are taken; the others are rejected. Readings without a usable address or
 /// strength are rejected too. The time and memory that it takes are in proportion to the message.
 ///
 /// @param own       format of the settings, before those of kScanFormats

@@ -34,14 +34,13 @@ void InputStatistics::count(std::size_t input, const Conversion& conversion, dou
   if (!conversion.observations.empty()) {
     counts.last_observation_s = now_s;
   }
-  if (conversion.rejected > 0) {
+  for (const auto& [given, count] : conversion.rejected) {
     // Reasons with values of hostile messages never end.
     constexpr std::size_t kMostReasons = 100;
-    const bool has_room =
-        counts.rejected.size() < kMostReasons || counts.rejected.count(conversion.problem) > 0;
-    const std::string reason = has_room ? conversion.problem : "other reasons";
-    counts.rejected[reason] += conversion.rejected;
-    rejected_[reason] += conversion.rejected;
+    const bool has_room = counts.rejected.size() < kMostReasons || counts.rejected.count(given) > 0;
+    const std::string reason = has_room ? given : "other reasons";
+    counts.rejected[reason] += count;
+    rejected_[reason] += count;
   }
   const auto second = static_cast<std::int64_t>(std::floor(now_s));
   recent_[input].moveTo(second);

@@ -224,14 +224,14 @@ void MappingNodelet::warnOfLosses(const ObservationQueue::Outcome& outcome) {
   }
 }
 
-void MappingNodelet::noteFailedMessage(const std::string& topic, std::size_t index,
-                                       const std::exception& error) noexcept {
+void MappingNodelet::noteFailedMessage(const Source& source, const std::exception& error) noexcept {
   try {
     const std::string problem = std::string("it could not be processed: ") + error.what();
-    statistics_.count(index, {{}, 1, problem}, ros::SteadyTime::now().toSec());
-    if (announcements_.isNews(topic + " failed", error.what())) {
+    statistics_.count(source.index, rejection(problem), ros::SteadyTime::now().toSec());
+    if (announcements_.isNews(source.topic + " failed", error.what())) {
       NODELET_ERROR_STREAM("A message on "
-                           << topic << " is left out: it could not be processed: " << error.what());
+                           << source.topic
+                           << " is left out: it could not be processed: " << error.what());
     }
   } catch (const std::exception&) {
     // Not even the memory for the text is there; the next message may be told.

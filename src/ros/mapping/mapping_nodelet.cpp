@@ -7,6 +7,7 @@
 
 #include "ros/conversion/access_point_parameters.h"
 #include "ros/conversion/parameters.h"
+#include "ros/conversion/robot_topics.h"
 
 namespace sfw {
 
@@ -94,19 +95,34 @@ void MappingNodelet::advertise() {
 void MappingNodelet::subscribe() {
   transform_intake_.emplace(getNodeHandle(), *transforms_, transform_watch_);
   const std::lock_guard<std::mutex> lock(subscribing_);
-  for (const Input& input : kInputs) {
-    const std::string topic = getNodeHandle().resolveName(input.topic);
-    subscriptions_.push_back({&input, statistics_.add(topic, input.is_radio), {}, false, 0});
+  for (Source& source : sources()) {
+    const std::string topic = getNodeHandle().resolveName(source.topic);
+    source.index = statistics_.add(topic, source.input->is_radio);
+    subscriptions_.push_back({std::move(source), {}, false, 0});
     subscribeTo(subscriptions_.back());
   }
+}
+
+std::vector<MappingNodelet::Source> MappingNodelet::sources() const {
+  const std::vector<std::string> frames = antennaFrames(ros_settings_);
+  const std::vector<std::string> robots = robotNames(frames);
+  std::vector<Source> sources;
+  for (const Input& input : kInputs) {
+    sources.push_back({&input, input.topic, frames.size() == 1 ? frames.front() : "", 0});
+    for (std::size_t i = 0; frames.size() > 1 && i < frames.size(); ++i) {
+      sources.push_back({&input, robots[i] + "/" + input.topic, frames[i], 0});
+    }
+  }
+  return sources;
 }
 
 void MappingNodelet::subscribeTo(Subscription& to) {
   constexpr std::uint32_t kQueue = 1000;
   const boost::function<void(const topic_tools::ShapeShifter::ConstPtr&)> callback =
-      [this, input = to.input, index = to.index](
-          const topic_tools::ShapeShifter::ConstPtr& message) { receive(*input, index, *message); };
-  to.subscriber = getNodeHandle().subscribe(to.input->topic, kQueue, callback);
+      [this, source = to.source](const topic_tools::ShapeShifter::ConstPtr& message) {
+        receive(source, *message);
+      };
+  to.subscriber = getNodeHandle().subscribe(to.source.topic, kQueue, callback);
 }
 
 void MappingNodelet::subscribeAnew() {
@@ -114,7 +130,7 @@ void MappingNodelet::subscribeAnew() {
   const std::vector<InputStatistics::Input> counts = statistics_.inputs(0.0);
   for (Subscription& subscription : subscriptions_) {
     const bool is_connected = subscription.subscriber.getNumPublishers() > 0;
-    const std::size_t messages = counts[subscription.index].messages;
+    const std::size_t messages = counts[subscription.source.index].messages;
     // A publisher may have come and gone since the last call.
     const bool was_connected = subscription.was_connected || messages > subscription.messages;
     if (was_connected && !is_connected) {
@@ -126,35 +142,37 @@ void MappingNodelet::subscribeAnew() {
   }
 }
 
-void MappingNodelet::receive(const Input& input, std::size_t index,
-                             const topic_tools::ShapeShifter& message) {
+void MappingNodelet::receive(const Source& source, const topic_tools::ShapeShifter& message) {
   try {
-    convert(input, index, toAnyMessage(message));
+    convert(source, toAnyMessage(message));
   } catch (const std::exception& error) {
     // An exception that leaves a callback ends the nodelet manager.
-    noteFailedMessage(input.topic, index, error);
+    noteFailedMessage(source, error);
   }
 }
 
-void MappingNodelet::convert(const Input& input, std::size_t index, const AnyMessage& message) {
-  Conversion conversion =
-      input.convert(message, {ros::Time::now(), robots_->settings().front().antenna_frame,
-                              config_.path.footprint_radius_m, toScanFormat(scan_settings_),
-                              antennaFrames(ros_settings_)});
-  statistics_.count(index, conversion, ros::SteadyTime::now().toSec());
+void MappingNodelet::convert(const Source& source, const AnyMessage& message) {
+  Conversion conversion = source.input->convert(
+      message, {ros::Time::now(), source.antenna_frame, config_.path.footprint_radius_m,
+                toScanFormat(scan_settings_), antennaFrames(ros_settings_)});
+  statistics_.count(source.index, conversion, ros::SteadyTime::now().toSec());
   if (localisation_) {
     localisation_->add(conversion.observations);
   }
   if (paused_) {
     return;
   }
-  for (Observation& observation : conversion.observations) {
-    queue_->push(std::move(observation));
+  queue_->push(std::move(conversion.observations));
+  warnOfProblem(source.topic, conversion.problem);
+  for (const auto& [reason, count] : conversion.rejected) {
+    warnOfProblem(source.topic, reason);
   }
-  if (!conversion.problem.empty() &&
-      announcements_.isNews(std::string(input.topic) + ": " + conversion.problem)) {
-    NODELET_WARN_STREAM(input.topic << ": " << conversion.problem
-                                    << ". This is said once; /diagnostics has the counts");
+}
+
+void MappingNodelet::warnOfProblem(const std::string& topic, const std::string& problem) {
+  if (!problem.empty() && announcements_.isNews(topic + ": " + problem)) {
+    NODELET_WARN_STREAM(topic << ": " << problem
+                              << ". This is said once; /diagnostics has the counts");
   }
 }
 

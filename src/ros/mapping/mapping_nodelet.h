@@ -78,20 +78,28 @@ class MappingNodelet : public nodelet::Nodelet {
   void advertiseLiveSettings();
   void subscribe();
 
-  struct Subscription {
+  /// Where messages come from.
+  struct Source {
     const Input* input = nullptr;
-    std::size_t index = 0;  ///< in statistics_
+    std::string topic;
+    std::string antenna_frame;  ///< of the robot that has the topic; empty: that of several robots
+    std::size_t index = 0;      ///< in statistics_
+  };
+  struct Subscription {
+    Source source;
     ros::Subscriber subscriber;
     bool was_connected = false;  ///< at the last look, as the next member
     std::size_t messages = 0;
   };
+  /// All inputs; of several robots, also those in the namespace of each one.
+  std::vector<Source> sources() const;
   void subscribeTo(Subscription& to);
 
   // In the manager's threads.
-  void receive(const Input& input, std::size_t index, const topic_tools::ShapeShifter& message);
-  void convert(const Input& input, std::size_t index, const AnyMessage& message);
-  void noteFailedMessage(const std::string& topic, std::size_t index,
-                         const std::exception& error) noexcept;
+  void receive(const Source& source, const topic_tools::ShapeShifter& message);
+  void convert(const Source& source, const AnyMessage& message);
+  void warnOfProblem(const std::string& topic, const std::string& problem);
+  void noteFailedMessage(const Source& source, const std::exception& error) noexcept;
 
   /// Answers the service calls in a queue, with steps in between, until the nodelet ends.
   void run(ros::CallbackQueue& calls, void (MappingNodelet::*step)());

@@ -6,15 +6,23 @@
 
 namespace sfw {
 
-void ObservationQueue::push(Observation observation) {
-  const auto most = static_cast<std::size_t>(config_.max_waiting);
-  const bool is_usable = isUsable(observation);
+void ObservationQueue::push(std::vector<Observation> message) {
+  const std::size_t most = std::max(static_cast<std::size_t>(config_.max_waiting), message.size());
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (!is_usable && waiting_.size() - usable_ >= std::max<std::size_t>(1, most / 10)) {
+  for (Observation& observation : message) {
+    push(std::move(observation), most);
+  }
+}
+
+void ObservationQueue::push(Observation observation, std::size_t most_usable) {
+  const bool is_usable = isUsable(observation);
+  const auto most_unusable =
+      static_cast<std::size_t>(std::max<std::int64_t>(1, config_.max_waiting / 10));
+  if (!is_usable && waiting_.size() - usable_ >= most_unusable) {
     ++unusable_dropped_;
     return;
   }
-  if (is_usable && usable_ >= most) {
+  if (is_usable && usable_ >= most_usable) {
     dropOldest();
   }
   usable_ += is_usable ? 1 : 0;

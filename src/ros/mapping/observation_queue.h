@@ -8,6 +8,7 @@
 #include <functional>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "ros/conversion/ros_settings.h"
 #include "ros/mapping/localization.h"
@@ -24,9 +25,10 @@ class ObservationQueue {
  public:
   explicit ObservationQueue(const RosSettings& config) : config_(config), robots_(config) {}
 
-  /// Adds an observation. With ros/max_waiting usable ones in the queue, the oldest is dropped.
-  /// A tenth as many unusable ones may wait beside them, and take no place of a usable one.
-  void push(Observation observation);
+  /// Adds the observations of a message. With ros/max_waiting usable ones in the queue, the oldest
+  /// is dropped, but none of the message itself. A tenth as many unusable ones may wait beside
+  /// them, and take no place of a usable one.
+  void push(std::vector<Observation> message);
 
   /// Drops all observations, and forgets which part of the path was sampled.
   void clear();
@@ -57,6 +59,8 @@ class ObservationQueue {
     Observation observation;
     ros::Time since;  // zero before the first attempt to locate it
   };
+
+  void push(Observation observation, std::size_t most_usable);
 
   /// Drops the oldest usable observation, and with it the unusable ones before it.
   void dropOldest();

@@ -25,7 +25,8 @@ class Robots {
   /// Looks up in tf where an observation was made, as sfw::locate does.
   ///
   /// A scan names its robot. Contacts belong to the robot whose antenna is nearest to their frame
-  /// in the tree of tf.
+  /// in the tree of tf; those of a bumper without direction are in the frame of its robot's
+  /// antenna.
   std::optional<LocatedObservation> locate(const Observation& observation,
                                            const tf2::BufferCore& transforms,
                                            std::string& tf_error) const;
