@@ -2,10 +2,10 @@
 #include <exception>
 #include <iomanip>
 #include <iostream>
-#include <new>
 #include <string>
 #include <vector>
 
+#include "base/failure.h"
 #include "base/old_name.h"
 #include "cli/commands.h"
 #include "cli/warnings.h"
@@ -107,11 +107,8 @@ void run(const std::vector<std::string>& arguments) {
 int main(int argc, char** argv) {
   try {
     sfw::run({argv + std::min(argc, 1), argv + argc});
-  } catch (const std::bad_alloc&) {
-    std::cerr << "sfw: out of memory; raise map/resolution or map a smaller area\n";
-    return 1;
   } catch (const std::exception& error) {
-    std::cerr << "sfw: " << error.what() << '\n';
+    std::cerr << "sfw: " << sfw::reasonOf(error) << '\n';
     return 1;
   }
   return 0;

@@ -28,6 +28,22 @@ class NodeletDiagnosticsWorld : public NodeletWorld {
         "/rosout", 1000, [this](const rosgraph_msgs::LogConstPtr& log) { logs_.push_back(*log); });
   }
 
+  static constexpr int kScans = 60;  // of a drive
+
+  /// Readings along a line of 3 m.
+  void drive(double start_s) {
+    for (int i = 0; i < kScans; ++i) {
+      sendPose(start_s + 0.05 * i, 0.05 * i, 1.0);
+      sendScan(start_s + 0.05 * i, {{kNear, -50.0F - static_cast<float>(i % 7)}});
+    }
+  }
+
+  bool mapAppears() {
+    return spinUntil(
+        [&] { return map_ && std::count(map_->data.begin(), map_->data.end(), 0) > 0; },
+        30.0 * kSlowdown);
+  }
+
   /// Waits for a status of this world's nodelet with some words.
   bool hears(const std::string& task, int level, const std::string& words,
              const std::string& nodelet = "mapping") {

@@ -1,4 +1,4 @@
-// Faults of the world around a loaded mapping nodelet: its clock, transforms, memory and disk.
+// Faults of the world around a loaded mapping nodelet: its clock, transforms and disk.
 
 #include <gtest/gtest.h>
 #include <sensor_msgs/PointCloud2.h>
@@ -8,9 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "memory_limit.h"
 #include "nodelet_diagnostics_world.h"
-#include "shape_of.h"
 #include "small_disk.h"
 
 namespace sfw {
@@ -22,20 +20,6 @@ class NodeletFaultsTest : public NodeletDiagnosticsWorld {
  protected:
   using Rows = std::vector<std::string>;
   static constexpr int kWarn = rosgraph_msgs::Log::WARN;
-
-  /// Readings along a line of 3 m.
-  void drive(double start_s) {
-    for (int i = 0; i < kScans; ++i) {
-      sendPose(start_s + 0.05 * i, 0.05 * i, 1.0);
-      sendScan(start_s + 0.05 * i, {{kNear, -50.0F - static_cast<float>(i % 7)}});
-    }
-  }
-
-  bool mapAppears() {
-    return spinUntil(
-        [&] { return map_ && std::count(map_->data.begin(), map_->data.end(), 0) > 0; },
-        30.0 * kSlowdown);
-  }
 
   Rows sortedRows(std::size_t expected) {
     Rows saved = rows(expected);
@@ -63,8 +47,6 @@ class NodeletFaultsTest : public NodeletDiagnosticsWorld {
     transform.rotation.w = std::cos(angle_rad / 2.0);
     return transform;
   }
-
-  static constexpr int kScans = 60;
 };
 
 TEST_F(NodeletFaultsTest, AClockThatJumpsBackKeepsTheMapAndDropsWhatWaits) {
@@ -223,54 +205,6 @@ TEST_F(NodeletFaultsTest, FramesWithALeadingSlashAreUnderstood) {
       },
       10.0))
       << contacts;
-}
-
-TEST_F(NodeletFaultsTest, AMessageWithoutMemoryIsCountedAndLeftOut) {
-  if (!MemoryLimit::isPossible()) {
-    GTEST_SKIP() << "a sanitizer reserves all addresses";
-  }
-  ros::Publisher clouds =
-      ros::NodeHandle().advertise<sensor_msgs::PointCloud2>(name_ + "/contact_points", 10);
-  load();
-  ASSERT_TRUE(spinUntil([&] { return clouds.getNumSubscribers() > 0; }, 30.0));
-  sensor_msgs::PointCloud2 cloud;
-  cloud.header.frame_id = "base_link";
-  cloud.header.stamp = at(0.0);
-  sensor_msgs::PointCloud2Modifier modifier(cloud);
-  modifier.setPointCloud2FieldsByString(1, "xyz");
-  modifier.resize(8'000'000);
-  const auto message = shapeOf(cloud);
-  sendPose(0.0, 1.0, 2.0);
-  {
-    const MemoryLimit limit(32U << 20U);
-    clouds.publish(message);  // not copied within a process
-    EXPECT_TRUE(logs(rosgraph_msgs::Log::ERROR, "could not be processed: std::bad_alloc"));
-  }
-  EXPECT_TRUE(hasValue(
-      "inputs", name_ + "/contact_points: rejected: it could not be processed: std::bad_alloc",
-      "1"));
-  sendScan(0.0, {{kFar, -60.0F}});
-  EXPECT_EQ(rows(1), Rows{row(0.0, 1.0, 2.0, kFar, -60.0)});
-  EXPECT_EQ(savedFile("contacts.csv"), "stamp,x,y\n");
-}
-
-TEST_F(NodeletFaultsTest, AMapWithoutMemoryIsTriedAgain) {
-  if (!MemoryLimit::isPossible()) {
-    GTEST_SKIP() << "a sanitizer reserves all addresses";
-  }
-  ros::param::set(name_ + "/mapping/access_points",
-                  tableOf({{kNear, 0.5, 0.5}, {kFar, 120.0, 120.0}}));
-  load();
-  ASSERT_TRUE(spinUntil([&] { return map_ != nullptr; }, 30.0));
-  {
-    const MemoryLimit limit(16U << 20U);
-    drive(0.0);
-    EXPECT_TRUE(logs(rosgraph_msgs::Log::ERROR, "The map update failed and will be tried again"));
-    EXPECT_TRUE(hears("map", diagnostic_msgs::DiagnosticStatus::ERROR, "The map update failed"));
-    EXPECT_EQ(std::count(map_->data.begin(), map_->data.end(), 0), 0);
-  }
-  EXPECT_TRUE(mapAppears());
-  EXPECT_EQ(rows(kScans).size(), static_cast<std::size_t>(kScans));
 }
 
 TEST_F(NodeletFaultsTest, ASecondMapperOnTheSameTopicIsTold) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <tf2/buffer_core.h>
 
+#include <new>
+#include <stdexcept>
 #include <vector>
 
 namespace sfw {
@@ -114,6 +116,62 @@ TEST(ObservationQueue, DropsNoReadingOfTheNewestMessage) {
   queue.push({observationAt(12.0)});
   EXPECT_EQ(queue.locate(no_transforms, ros::Time(12.0), unexpected).overflowed, 1U);
   EXPECT_EQ(queue.size(), 3U) << "the queue does not grow";
+}
+
+class FailingSink : public testing::Test {
+ protected:
+  void SetUp() override {
+    transforms_.setTransform(mapFromAntenna(0.0, 1.0), "test", true);
+    for (int i = 1; i <= 5; ++i) {
+      queue_.push({observationAt(i)});
+    }
+  }
+
+  /// Passes on all observations to a sink that throws at the third call.
+  template <class Exception>
+  void locateWith(const Exception& exception) {
+    queue_.locate(transforms_, ros::Time(5.0), [&](const LocatedObservation& located) {
+      if (++calls_ == 3) {
+        throw exception;
+      }
+      stamps_.push_back(static_cast<double>(located.readings.at(0).stamp_ns) / 1e9);
+    });
+  }
+
+  tf2::BufferCore transforms_;
+  RosSettings settings_ = [] {
+    RosSettings settings = rosConfig();
+    settings.max_waiting = 10;
+    return settings;
+  }();
+  ObservationQueue queue_{settings_};
+  int calls_ = 0;
+  std::vector<double> stamps_;
+};
+
+TEST_F(FailingSink, LosesOneObservation) {
+  const std::runtime_error error("it cannot be used");
+  EXPECT_THROW(locateWith(error), std::runtime_error);
+  EXPECT_EQ(queue_.size(), 2U);
+  locateWith(error);
+  EXPECT_EQ(stamps_, (std::vector<double>{1.0, 2.0, 4.0, 5.0}));
+}
+
+TEST_F(FailingSink, LosesNoObservationWithoutMemory) {
+  EXPECT_THROW(locateWith(std::bad_alloc()), std::bad_alloc);
+  EXPECT_EQ(queue_.size(), 3U);
+  queue_.push({observationAt(5.0)});
+  locateWith(std::bad_alloc());
+  EXPECT_EQ(stamps_, (std::vector<double>{1.0, 2.0, 3.0, 4.0, 5.0, 5.0}));
+}
+
+TEST_F(FailingSink, LosesNoCount) {
+  for (int i = 0; i < 7; ++i) {
+    queue_.push({observationAt(5.0)});
+  }
+  EXPECT_THROW(locateWith(std::bad_alloc()), std::bad_alloc);
+  EXPECT_EQ(queue_.locate(transforms_, ros::Time(5.0), [](const LocatedObservation&) {}).overflowed,
+            2U);
 }
 
 }  // namespace

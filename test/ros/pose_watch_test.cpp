@@ -6,8 +6,6 @@
 #include <Eigen/Geometry>
 #include <stdexcept>
 
-#include "ros/mapping/observation_queue.h"
-
 namespace sfw {
 namespace {
 
@@ -77,29 +75,6 @@ TEST(PoseWatch, BelievesEveryPoseWithoutALimitOrAfterAClear) {
   EXPECT_TRUE(watch.isUsable(at(0.0, 0.0)));
   watch.clear();
   EXPECT_TRUE(watch.isUsable(at(0.1, 50.0)));
-}
-
-TEST(ObservationQueue, AnExceptionCostsOneObservation) {
-  tf2::BufferCore transforms;
-  geometry_msgs::TransformStamped pose;
-  pose.header.frame_id = "map";
-  pose.child_frame_id = "base_link";
-  pose.transform.rotation.w = 1.0;
-  transforms.setTransform(pose, "test", true);
-  ObservationQueue queue{RosSettings()};
-  for (int i = 1; i <= 5; ++i) {
-    queue.push({{ros::Time(i), UnlocatedReading{Bssid(), -50.0}}});
-  }
-  int seen = 0;
-  const auto sink = [&](const LocatedObservation&) {
-    if (++seen == 3) {
-      throw std::bad_alloc();
-    }
-  };
-  EXPECT_THROW(queue.locate(transforms, ros::Time(5), sink), std::bad_alloc);
-  EXPECT_EQ(queue.size(), 2U);
-  EXPECT_EQ(queue.locate(transforms, ros::Time(5), sink).located, 2U);
-  EXPECT_EQ(seen, 5);
 }
 
 }  // namespace

@@ -184,7 +184,7 @@ std::string whyNoReading(const MappingStatus& status) {
 
 void describeInputs(const MappingStatus& status, DiagnosticStatusWrapper& to) {
   if (!status.failure.empty()) {
-    to.summary(DiagnosticStatus::ERROR, "Nothing is subscribed: the parameters cannot be used.");
+    to.summary(DiagnosticStatus::ERROR, "Nothing is subscribed: mapping cannot start.");
     return;
   }
   to.summary(DiagnosticStatus::OK, "Readings arrive.");
@@ -215,7 +215,7 @@ void describeInputs(const MappingStatus& status, DiagnosticStatusWrapper& to) {
 
 void describeTransforms(const MappingStatus& status, DiagnosticStatusWrapper& to) {
   if (!status.failure.empty()) {
-    to.summary(DiagnosticStatus::ERROR, "tf is not used: the parameters cannot be used.");
+    to.summary(DiagnosticStatus::ERROR, "tf is not used: mapping cannot start.");
     return;
   }
   const TransformStatus& transform = status.transform;

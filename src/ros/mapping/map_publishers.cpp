@@ -76,7 +76,8 @@ void MapPublishers::publish(const std::shared_ptr<const Snapshot>& snapshot,
   std_msgs::Header header;
   header.frame_id = map_frame_;
   header.stamp = ros::Time::now();
-  const std::shared_ptr<const PublishedMap> before = last();
+  const std::shared_ptr<const PublishedMap> before = is_incomplete_ ? nullptr : last();
+  is_incomplete_ = true;  // until all is published
   nav_msgs::OccupancyGrid grid = toTrinaryGrid(snapshot->belief, header);
   if (when == When::kChanged && before && haveSameCells(grid, before->grid)) {
     grid = before->grid;
@@ -93,6 +94,8 @@ void MapPublishers::publish(const std::shared_ptr<const Snapshot>& snapshot,
   }
   if (when == When::kAlways) {
     publishMap(*published, before.get());
+  }
+  if (when == When::kAlways || octomap_failed_) {
     octomap_due_ = true;
   }
   probability_.publish(toProbabilityGrid(snapshot->probability, header), when);
@@ -104,6 +107,7 @@ void MapPublishers::publish(const std::shared_ptr<const Snapshot>& snapshot,
   markers_.publish(toMarkers(*snapshot, findings, header));
   access_points_.publish(toAccessPoints(*snapshot, findings, header));
   walls_.publish(toWalls(*snapshot, header));
+  is_incomplete_ = false;
 }
 
 void MapPublishers::publishMap(const PublishedMap& map, const PublishedMap* before) {
@@ -121,7 +125,12 @@ void MapPublishers::publishDueMap() {
   const std::shared_ptr<const PublishedMap> map = last();
   // Without updates, the latched map is the last one.
   if (updates_ == Updates::kRectangles && map && map_due_.exchange(false)) {
-    map_.publish(map->grid);
+    try {
+      map_.publish(map->grid);
+    } catch (...) {
+      map_due_ = true;
+      throw;
+    }
   }
 }
 
@@ -131,7 +140,9 @@ void MapPublishers::publishDueOctomaps() {
   const std::shared_ptr<const PublishedMap> map = last();
   if (map && listened_to && octomap_due_.exchange(false) &&
       octomapReaches(map->snapshot->belief.geometry())) {
+    octomap_failed_ = true;  // until it is published; publish() makes it due again
     publishOctomap(*map);
+    octomap_failed_ = false;
   }
 }
 

@@ -45,7 +45,8 @@ class MapPublishers {
 
   /// Publishes a snapshot on all topics but the OctoMaps', which are due from now on. Grids that
   /// did not change are not published again, because planners and localisations start anew with
-  /// each map. The other messages name the last map by its stamp.
+  /// each map. The other messages name the last map by its stamp. After a call that threw, the next
+  /// one publishes everything.
   void publish(const std::shared_ptr<const Snapshot>& snapshot, const DataFindings& findings = {},
                When when = When::kChanged);
 
@@ -68,6 +69,7 @@ class MapPublishers {
     void publish(const nav_msgs::OccupancyGrid& grid, When when);
   };
 
+  /// @param before  what subscribers have; nullptr: unknown
   void publishMap(const PublishedMap& map, const PublishedMap* before);
   void publishOctomap(const PublishedMap& map);
 
@@ -78,6 +80,8 @@ class MapPublishers {
   std::shared_ptr<const PublishedMap> last_;
   std::atomic<bool> octomap_due_{false};  // set by roscpp's thread when a subscriber comes
   std::atomic<bool> map_due_{true};       // likewise
+  std::atomic<bool> octomap_failed_{false};
+  bool is_incomplete_ = false;  // publish() failed halfway: subscribers have older messages
   Updates updates_;
   GridTopic probability_, costs_, wall_loss_;
   ros::Publisher map_, map_updates_, metadata_, octomap_binary_, octomap_full_, markers_, path_,

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/failure.h"
 #include "ros/mapping/mapping_nodelet.h"
 #include "ros/mapping/other_publishers.h"
 
@@ -91,7 +92,9 @@ void MappingNodelet::diagnose() {
   }
   next_diagnosis_ = now + ros::WallDuration(1.0);
   status_ = status();
-  diagnostics_->force_update();  // update() would stop with the simulated clock
+  if (diagnostics_) {
+    diagnostics_->force_update();  // update() would stop with the simulated clock
+  }
   if (failure_.empty()) {
     subscribeAnew();
     mapper_->recordFrames(status_.frames);
@@ -226,15 +229,27 @@ void MappingNodelet::warnOfLosses(const ObservationQueue::Outcome& outcome) {
 
 void MappingNodelet::noteFailedMessage(const Source& source, const std::exception& error) noexcept {
   try {
-    const std::string problem = std::string("it could not be processed: ") + error.what();
+    const std::string problem = std::string("it could not be processed: ") + reasonOf(error);
     statistics_.count(source.index, rejection(problem), ros::SteadyTime::now().toSec());
-    if (announcements_.isNews(source.topic + " failed", error.what())) {
-      NODELET_ERROR_STREAM("A message on "
-                           << source.topic
-                           << " is left out: it could not be processed: " << error.what());
+    if (announcements_.isNews(source.topic + " failed", problem)) {
+      NODELET_ERROR_STREAM("A message on " << source.topic << " is left out: " << problem);
     }
   } catch (const std::exception&) {
     // Not even the memory for the text is there; the next message may be told.
+  }
+}
+
+void MappingNodelet::noteFailure(const char* what, const std::exception& error) noexcept {
+  changed_ = true;
+  try {
+    const std::string reason = reasonOf(error);
+    const std::lock_guard<std::mutex> lock(facts_mutex_);
+    facts_.update_failure = reason;
+    if (announcements_.isNews(what, reason)) {
+      NODELET_ERROR_STREAM(what << ": " << reason);
+    }
+  } catch (const std::exception&) {
+    // As in noteFailedMessage; the next failure may be told.
   }
 }
 

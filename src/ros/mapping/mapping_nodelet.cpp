@@ -5,9 +5,11 @@
 #include <pluginlib/class_list_macros.hpp>
 #include <sstream>
 
+#include "base/failure.h"
 #include "ros/conversion/access_point_parameters.h"
 #include "ros/conversion/parameters.h"
 #include "ros/conversion/robot_topics.h"
+#include "structure_from_wifi/input_error.h"
 
 namespace sfw {
 
@@ -28,26 +30,52 @@ void MappingNodelet::onInit() {
   try {
     advertiseDiagnostics();
     start();
+  } catch (const InputError& error) {
+    giveUp(error, getPrivateNodeHandle().getNamespace() + "/");
   } catch (const std::exception& error) {
-    failure_ = error.what();
-    std::istringstream problems(failure_);
-    for (std::string problem; std::getline(problems, problem);) {
-      NODELET_ERROR_STREAM("Mapping cannot start: " << getPrivateNodeHandle().getNamespace() << "/"
-                                                    << problem);
-    }
+    giveUp(error, "");
   }
-  // Without a map, this thread tells diagnostics why.
-  locating_thread_ = std::thread([this] { run(quick_calls_, &MappingNodelet::stepLocating); });
-  if (failure_.empty()) {
-    mapping_thread_ = std::thread([this] { run(slow_calls_, &MappingNodelet::stepMapping); });
-    subscribe();  // last: callbacks may come before onInit returns
-    announceStart();
+  try {
+    // Without a map, this thread tells diagnostics why.
+    locating_thread_ = std::thread([this] { run(quick_calls_, kLocatingSteps); });
+  } catch (const std::exception& error) {
+    giveUp(error, "");
   }
 }
 
 void MappingNodelet::start() {
   loadParameters();
   advertise();
+  mapping_thread_ = std::thread([this] { run(slow_calls_, kMappingSteps); });
+  subscribe();  // last: callbacks may come before onInit returns
+  announceStart();
+}
+
+void MappingNodelet::giveUp(const std::exception& error, const std::string& prefix) noexcept {
+  {
+    const std::lock_guard<std::mutex> lock(subscribing_);
+    subscriptions_.clear();
+  }
+  transform_intake_.reset();
+  if (mapping_thread_.joinable()) {
+    stop_ = true;
+    mapping_thread_.join();
+    stop_ = false;
+  }
+  click_subscriber_.shutdown();
+  live_server_.reset();
+  servers_.clear();
+  localisation_.reset();
+  publishers_.reset();
+  try {
+    failure_ = reasonOf(error);
+    std::istringstream problems(failure_);
+    for (std::string problem; std::getline(problems, problem);) {
+      NODELET_ERROR_STREAM("Mapping cannot start: " << prefix << problem);
+    }
+  } catch (const std::exception&) {
+    failure_ = "out of memory";  // so short that it needs none
+  }
 }
 
 void MappingNodelet::loadParameters() {
@@ -176,36 +204,47 @@ void MappingNodelet::warnOfProblem(const std::string& topic, const std::string& 
   }
 }
 
-void MappingNodelet::run(ros::CallbackQueue& calls, void (MappingNodelet::*step)()) {
+const std::vector<MappingNodelet::Step> MappingNodelet::kLocatingSteps{
+    {&MappingNodelet::takeInReadings, "The readings cannot be taken in and will be tried again"},
+    {&MappingNodelet::diagnose, "The diagnostics failed and will be tried again"}};
+
+const std::vector<MappingNodelet::Step> MappingNodelet::kMappingSteps{
+    {&MappingNodelet::resumeOnce, "The last session could not be looked for"},
+    {&MappingNodelet::autosaveIfDue, "The session could not be saved and will be tried again"},
+    {&MappingNodelet::publishWhatIsDue, "The map was not published and will be again"},
+    {&MappingNodelet::updateMap, "The map update failed and will be tried again"}};
+
+void MappingNodelet::run(ros::CallbackQueue& calls, const std::vector<Step>& steps) {
   constexpr double kTick = 0.02;  // [s]; a service call wakes it at once
   while (!stop_) {
     try {
       calls.callAvailable(ros::WallDuration(kTick));
-      (this->*step)();
     } catch (const std::exception& error) {
-      changed_ = true;
-      const std::lock_guard<std::mutex> lock(facts_mutex_);
-      facts_.update_failure = error.what();
-      if (announcements_.isNews("update", facts_.update_failure)) {
-        NODELET_ERROR_STREAM("The map update failed and will be tried again: " << error.what());
+      noteFailure("A service call failed", error);
+    }
+    for (const Step& step : steps) {
+      try {
+        (this->*step.take)();
+      } catch (const std::exception& error) {
+        noteFailure(step.failure, error);
       }
     }
   }
 }
 
-void MappingNodelet::stepLocating() {
+void MappingNodelet::takeInReadings() {
   if (failure_.empty()) {
     noticeTimeJump(ros::Time::now());
     locateObservations();
   }
-  diagnose();
 }
 
 void MappingNodelet::noticeTimeJump(const ros::Time& now) {
-  if (now < last_now_) {
+  const ros::Time before = std::exchange(last_now_, now);
+  if (now < before) {
     const bool is_reset = ros_settings_.on_time_jump == "reset";
     NODELET_WARN_STREAM("ROS time jumped back by "
-                        << last_now_.toSec() - now.toSec()
+                        << before.toSec() - now.toSec()
                         << " s: readings without a transform are dropped, and the map is "
                         << (is_reset ? "reset" : "kept") << " (ros/on_time_jump)");
     queue_->clear();
@@ -217,7 +256,6 @@ void MappingNodelet::noticeTimeJump(const ros::Time& now) {
       startAnew();
     }
   }
-  last_now_ = now;
 }
 
 bool MappingNodelet::insert(const LocatedObservation& observation) {

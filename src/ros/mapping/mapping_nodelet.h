@@ -64,9 +64,12 @@ class MappingNodelet : public nodelet::Nodelet {
 
  private:
   /// Never throws, since an exception would end the nodelet manager. If parameters cannot be used,
-  /// the nodelet logs each one and advertises nothing but its diagnostics.
+  /// or memory runs out, the nodelet logs why and advertises nothing but its diagnostics.
   void onInit() override;
   void start();
+  /// Takes back what start() did, and logs each problem.
+  /// @param prefix  of a problem: the namespace of parameters
+  void giveUp(const std::exception& error, const std::string& prefix) noexcept;
   void advertiseDiagnostics();
   void announceStart();
 
@@ -101,11 +104,18 @@ class MappingNodelet : public nodelet::Nodelet {
   void warnOfProblem(const std::string& topic, const std::string& problem);
   void noteFailedMessage(const Source& source, const std::exception& error) noexcept;
 
-  /// Answers the service calls in a queue, with steps in between, until the nodelet ends.
-  void run(ros::CallbackQueue& calls, void (MappingNodelet::*step)());
+  struct Step {
+    void (MappingNodelet::*take)();
+    const char* failure;  ///< what is logged with its reason
+  };
+  static const std::vector<Step> kLocatingSteps, kMappingSteps;
+  /// Answers the service calls in a queue, with steps in between, until the nodelet ends. A step
+  /// that fails keeps no other one from its work.
+  void run(ros::CallbackQueue& calls, const std::vector<Step>& steps);
+  void noteFailure(const char* what, const std::exception& error) noexcept;
 
   // In the locating thread.
-  void stepLocating();
+  void takeInReadings();
   /// Publishes diagnostics and warns of missing inputs, once a second.
   void diagnose();
   void announceMissingInput();
@@ -118,13 +128,15 @@ class MappingNodelet : public nodelet::Nodelet {
   void noticeTimeJump(const ros::Time& now);
   bool serveMap(nav_msgs::GetMap::Response& response);
   bool reset(std_srvs::Trigger::Response& response);
-  /// Forgets everything but the geometry, and publishes the empty map.
+  /// Forgets everything but the geometry, and publishes the empty map. If that fails, the mapping
+  /// thread publishes it.
   /// @return false if the nodelet stops
   bool startAnew();
   bool pause(const std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
 
   // In the mapping thread.
-  void stepMapping();
+  void publishWhatIsDue();
+  void updateMap();
   /// Whether a localisation has moved a robot since the last map.
   bool hasJumped(const std::vector<OdometryCorrection>& latest) const;
   /// A map, its data, and the results of its checks.
@@ -134,9 +146,11 @@ class MappingNodelet : public nodelet::Nodelet {
     DataFindings findings;
   };
   enum class Checks { kChanged, kAll };
-  /// Makes a map, checks its data, and publishes both unless a reset occurred meanwhile.
+  /// Makes a map, checks its data, and publishes both unless a reset occurred meanwhile. If it
+  /// throws, the map is due as before.
   Mapping publishMap(Checks checks);
-  void noteInference(double seconds);
+  Mapping makeMap(Checks checks);
+  void noteUpdate(double inference_s);
   /// Logs each fault once, until the next reset.
   void reportFaults(const std::vector<MapNote>& notes);
   bool serveOctomap(bool binary, octomap_msgs::GetOctomap::Response& response);

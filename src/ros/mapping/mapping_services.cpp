@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/failure.h"
 #include "ros/conversion/message_conversion.h"
 #include "ros/mapping/mapping_nodelet.h"
 #include "ros/mapping/region.h"
@@ -53,7 +54,12 @@ bool MappingNodelet::serveMap(nav_msgs::GetMap::Response& response) {
 }
 
 bool MappingNodelet::reset(std_srvs::Trigger::Response& response) {
-  response.success = startAnew() ? 1 : 0;
+  try {
+    response.success = startAnew() ? 1 : 0;
+  } catch (const std::exception& error) {
+    response.message =
+        "the readings are deleted, but the empty map has to wait: " + reasonOf(error);
+  }
   return true;
 }
 
@@ -75,11 +81,16 @@ bool MappingNodelet::startAnew() {
   clear_reported_ = true;
   forget_directories_ = true;
   announcements_.clear();
-  const std::shared_ptr<const Snapshot> empty = mapper_->corrected({}).mapper.infer(stop_);
-  if (empty) {
-    publishers_->publish(empty, {}, MapPublishers::When::kAlways);
+  try {
+    const std::shared_ptr<const Snapshot> empty = mapper_->corrected({}).mapper.infer(stop_);
+    if (empty) {
+      publishers_->publish(empty, {}, MapPublishers::When::kAlways);
+    }
+    return empty != nullptr;
+  } catch (...) {
+    changed_ = true;
+    throw;
   }
-  return empty != nullptr;
 }
 
 bool MappingNodelet::serveOctomap(bool binary, octomap_msgs::GetOctomap::Response& response) {
@@ -163,7 +174,7 @@ void MappingNodelet::placeAccessPoint(const geometry_msgs::PointStamped& click) 
     NODELET_INFO_STREAM("Access point " << bssid->str() << " stands at (" << position.x() << ", "
                                         << position.y() << ") now, as clicked");
   } catch (const std::exception& error) {
-    NODELET_WARN_STREAM("clicked_point is ignored: " << error.what());
+    NODELET_WARN_STREAM("clicked_point is ignored: " << reasonOf(error));
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/failure.h"
 #include "files/atomic_file.h"
 #include "files/map_server.h"
 #include "ros/mapping/mapping_nodelet.h"
@@ -69,7 +70,7 @@ bool MappingNodelet::saveMap(const structure_from_wifi::SaveMap::Request& reques
     response.success = 1;
     response.message = directory;
   } catch (const std::exception& error) {
-    response.message = error.what();
+    response.message = reasonOf(error);
   }
   return true;
 }
@@ -88,7 +89,7 @@ bool MappingNodelet::loadMap(const structure_from_wifi::LoadMap::Request& reques
     own_directories_.insert(directory);  // the present session holds all of it
     response.success = 1;
   } catch (const std::exception& error) {
-    response.message = std::string("nothing was loaded: ") + error.what();
+    response.message = std::string("nothing was loaded: ") + reasonOf(error);
   }
   return true;
 }
@@ -138,7 +139,7 @@ void MappingNodelet::resumeOnce() {
   } catch (const std::exception& error) {
     NODELET_ERROR_STREAM("The session in "
                          << directory
-                         << " cannot be resumed, and a new one starts: " << error.what());
+                         << " cannot be resumed, and a new one starts: " << reasonOf(error));
   }
 }
 
@@ -174,7 +175,7 @@ void MappingNodelet::autosave() {
     writeAtomically({{directory + "/map.pgm", trinaryPgm(belief)},
                      {directory + "/map.yaml", trinaryYaml(belief.geometry())}});
   } catch (const std::exception& error) {
-    failure = error.what();
+    failure = reasonOf(error);
     unsaved_ = true;
   }
   const std::lock_guard<std::mutex> lock(facts_mutex_);

@@ -4,11 +4,12 @@
 
 namespace sfw {
 
-void MappingNodelet::stepMapping() {
-  resumeOnce();
+void MappingNodelet::publishWhatIsDue() {
   publishers_->publishDueMap();
   publishers_->publishDueOctomaps();
-  autosaveIfDue();
+}
+
+void MappingNodelet::updateMap() {
   if (ros::SteadyTime::now() < next_publication_) {
     return;
   }
@@ -33,6 +34,15 @@ bool MappingNodelet::hasJumped(const std::vector<OdometryCorrection>& latest) co
 
 MappingNodelet::Mapping MappingNodelet::publishMap(Checks checks) {
   changed_ = false;  // before the copy: later readings are for the next map
+  try {
+    return makeMap(checks);
+  } catch (...) {
+    changed_ = true;
+    throw;
+  }
+}
+
+MappingNodelet::Mapping MappingNodelet::makeMap(Checks checks) {
   last_map_corrections_ = robots_->latestCorrections(*transforms_);
   const ros::SteadyTime start = ros::SteadyTime::now();
   Mapping mapping{mapper_->corrected(last_map_corrections_), nullptr, {}};
@@ -49,7 +59,7 @@ MappingNodelet::Mapping MappingNodelet::publishMap(Checks checks) {
   if (stop_) {
     mapping.snapshot = nullptr;
   }
-  noteInference((ros::SteadyTime::now() - start).toSec());
+  const double inference_s = (ros::SteadyTime::now() - start).toSec();
   const std::lock_guard<std::mutex> lock(publishing_);
   if (mapping.snapshot && mapping.copy.resets == mapper_->resets()) {
     publishers_->publish(mapping.snapshot, mapping.findings);
@@ -61,6 +71,7 @@ MappingNodelet::Mapping MappingNodelet::publishMap(Checks checks) {
       reportFaults(mapNotes(*mapping.snapshot, mapping.findings));
     }
   }
+  noteUpdate(inference_s);
   return mapping;
 }
 
@@ -75,11 +86,15 @@ void MappingNodelet::reportFaults(const std::vector<MapNote>& notes) {
   }
 }
 
-void MappingNodelet::noteInference(double seconds) {
+void MappingNodelet::noteUpdate(double inference_s) {
   const std::lock_guard<std::mutex> lock(facts_mutex_);
-  facts_.inference_s = seconds;
+  facts_.inference_s = inference_s;
   facts_.update_failure.clear();
-  announcements_.forget("update");
+  for (const std::vector<Step>* steps : {&kLocatingSteps, &kMappingSteps}) {
+    for (const Step& step : *steps) {
+      announcements_.forget(step.failure);
+    }
+  }
 }
 
 }  // namespace sfw

@@ -1,7 +1,8 @@
 #include "ros/mapping/observation_queue.h"
 
 #include <algorithm>
-#include <iterator>
+#include <exception>
+#include <new>
 #include <utility>
 
 namespace sfw {
@@ -25,8 +26,8 @@ void ObservationQueue::push(Observation observation, std::size_t most_usable) {
   if (is_usable && usable_ >= most_usable) {
     dropOldest();
   }
-  usable_ += is_usable ? 1 : 0;
   waiting_.push_back({std::move(observation), ros::Time()});
+  usable_ += is_usable ? 1 : 0;
 }
 
 void ObservationQueue::dropOldest() {
@@ -63,54 +64,67 @@ bool ObservationQueue::isExpired(const Waiting& waiting, const ros::Time& now) c
          (!waiting.since.isZero() && is_long_before_now(waiting.since));
 }
 
+void ObservationQueue::giveBack(std::list<Waiting>& observations) {
+  usable_ += static_cast<std::size_t>(
+      std::count_if(observations.begin(), observations.end(),
+                    [](const Waiting& waiting) { return isUsable(waiting.observation); }));
+  waiting_.splice(waiting_.begin(), observations);
+}
+
 ObservationQueue::Outcome ObservationQueue::locate(const tf2::BufferCore& transforms,
                                                    const ros::Time& now, const Sink& sink) {
-  std::deque<Waiting> all;
-  Outcome outcome;
+  std::list<Waiting> all, still_waiting;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     all.swap(waiting_);
     usable_ = 0;
-    std::swap(outcome.overflowed, overflowed_);
-    std::swap(outcome.unusable, unusable_dropped_);
   }
-  std::deque<Waiting> still_waiting;
-  const auto giveBack = [&] {
+  Outcome outcome;
+  try {
+    while (!all.empty()) {
+      locateFirst(all, still_waiting, transforms, now, sink, outcome);
+    }
+  } catch (const std::exception&) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    for (std::deque<Waiting>* part : {&all, &still_waiting}) {
-      usable_ += static_cast<std::size_t>(
-          std::count_if(part->begin(), part->end(),
-                        [](const Waiting& waiting) { return isUsable(waiting.observation); }));
-      waiting_.insert(waiting_.begin(), std::make_move_iterator(part->begin()),
-                      std::make_move_iterator(part->end()));
-    }
-  };
-  while (!all.empty()) {
-    Waiting waiting = std::move(all.front());
-    all.pop_front();
-    std::string tf_error;
-    if (auto located = robots_.locate(waiting.observation, transforms, tf_error)) {
-      try {
-        {
-          const std::lock_guard<std::mutex> lock(sampling_);
-          robots_.sampleWay(transforms, *located);
-        }
-        sink(*located);
-      } catch (const std::exception&) {
-        giveBack();  // the others
-        throw;
-      }
-      ++outcome.located;
-    } else if (isExpired(waiting, now)) {
-      ++outcome.expired;
-      outcome.tf_error = tf_error;
-    } else {
-      waiting.since = waiting.since.isZero() ? now : waiting.since;
-      still_waiting.push_back(std::move(waiting));
-    }
+    giveBack(all);
+    giveBack(still_waiting);
+    throw;
   }
-  giveBack();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  giveBack(still_waiting);
+  std::swap(outcome.overflowed, overflowed_);
+  std::swap(outcome.unusable, unusable_dropped_);
   return outcome;
+}
+
+void ObservationQueue::locateFirst(std::list<Waiting>& all, std::list<Waiting>& still_waiting,
+                                   const tf2::BufferCore& transforms, const ros::Time& now,
+                                   const Sink& sink, Outcome& outcome) {
+  std::list<Waiting> first;
+  first.splice(first.begin(), all, all.begin());
+  Waiting& waiting = first.front();
+  std::string tf_error;
+  try {
+    if (auto located = robots_.locate(waiting.observation, transforms, tf_error)) {
+      {
+        const std::lock_guard<std::mutex> lock(sampling_);
+        robots_.sampleWay(transforms, *located);
+      }
+      sink(*located);
+      ++outcome.located;
+      return;
+    }
+  } catch (const std::bad_alloc&) {
+    all.splice(all.begin(), first);  // memory may come back
+    throw;
+  }
+  if (isExpired(waiting, now)) {
+    ++outcome.expired;
+    outcome.tf_error = tf_error;
+    return;
+  }
+  waiting.since = waiting.since.isZero() ? now : waiting.since;
+  still_waiting.splice(still_waiting.end(), first);
 }
 
 }  // namespace sfw

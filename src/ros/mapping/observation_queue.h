@@ -4,8 +4,8 @@
 #include <tf2/buffer_core.h>
 
 #include <cstddef>
-#include <deque>
 #include <functional>
+#include <list>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -50,7 +50,8 @@ class ObservationQueue {
   /// Passes on each observation that tf can locate, with the way driven since the ones before.
   /// Drops observations that are too old or have waited too long. An observation with a stamp in
   /// the future waits until it is dropped.
-  /// If the sink throws, its observation is dropped and the others wait on.
+  /// If the sink throws, its observation is dropped and the others wait on. Without memory
+  /// (std::bad_alloc) its observation waits, too.
   /// @param now  of the clock of the stamps; with zero, an unknown time, nothing expires
   Outcome locate(const tf2::BufferCore& transforms, const ros::Time& now, const Sink& sink);
 
@@ -65,12 +66,20 @@ class ObservationQueue {
   /// Drops the oldest usable observation, and with it the unusable ones before it.
   void dropOldest();
 
+  /// Puts observations back before those that wait; mutex_ is held.
+  void giveBack(std::list<Waiting>& observations);
+
+  /// Passes on the first one of all, drops it, or lets it wait.
+  void locateFirst(std::list<Waiting>& all, std::list<Waiting>& still_waiting,
+                   const tf2::BufferCore& transforms, const ros::Time& now, const Sink& sink,
+                   Outcome& outcome);
+
   bool isExpired(const Waiting& waiting, const ros::Time& now) const;
 
   const RosSettings config_;
   mutable std::mutex mutex_;
-  std::deque<Waiting> waiting_;
-  std::size_t usable_ = 0;  // of those that wait
+  std::list<Waiting> waiting_;  // its items move without memory
+  std::size_t usable_ = 0;      // of those that wait
   std::size_t overflowed_ = 0;
   std::size_t unusable_dropped_ = 0;
   std::mutex sampling_;  // around the next member, so that push() never waits for it

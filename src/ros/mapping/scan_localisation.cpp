@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/constants.h"
+#include "base/failure.h"
 
 namespace sfw {
 namespace {
@@ -109,8 +110,16 @@ void ScanLocalisation::run() {
         follow(std::move(heard));
       }
     } catch (const std::exception& error) {
-      ROS_ERROR_STREAM_THROTTLE(60.0, "The localisation failed and goes on: " << error.what());
+      noteFailure(error);
     }
+  }
+}
+
+void ScanLocalisation::noteFailure(const std::exception& error) noexcept {
+  try {
+    ROS_ERROR_STREAM_THROTTLE(60.0, "The localisation failed and goes on: " << reasonOf(error));
+  } catch (const std::exception&) {
+    // Not even the memory for the text is there; the next failure may be told.
   }
 }
 

@@ -9,6 +9,7 @@
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -61,6 +62,7 @@ class ScanLocalisation {
   };
 
   void run();
+  void noteFailure(const std::exception& error) noexcept;
   void learn(const Lesson& lesson);
   void follow(std::vector<Reading> readings);
   std::optional<Position> odometryAt(std::int64_t stamp_ns) const;

@@ -53,23 +53,29 @@ void WirelessScanNodelet::run() {
   Clock::time_point next = Clock::now();
   Clock::time_point next_diagnostics = next;
   while (!stop_) {
-    const RadioReport report = reader.look();
-    if (stop_) {
-      return;
-    }
-    interface_ = report.interface;
-    problem_ = report.problem;
-    announce(report);
-    publish(report);
-    if (Clock::now() >= next_diagnostics) {
-      diagnostics_->setHardwareID(interface_.empty() ? "none" : interface_);
-      diagnostics_->force_update();  // update() would stop with the simulated clock
-      next_diagnostics = Clock::now() + kDiagnosticsPeriod;
+    bool has_failed = true;
+    try {
+      const RadioReport report = reader.look();
+      if (stop_) {
+        return;
+      }
+      interface_ = report.interface;
+      problem_ = report.problem;
+      announce(report);
+      publish(report);
+      if (Clock::now() >= next_diagnostics) {
+        diagnostics_->setHardwareID(interface_.empty() ? "none" : interface_);
+        diagnostics_->force_update();  // update() would stop with the simulated clock
+        next_diagnostics = Clock::now() + kDiagnosticsPeriod;
+      }
+      has_failed = !report.problem.empty();
+    } catch (const std::exception&) {
+      // Memory ran out, also for a text. An exception that leaves the thread ends the process.
     }
     // After a failure it waits a second, so that nobody is flooded.
     next = std::max(next + period, Clock::now());
     const Clock::time_point wake =
-        report.problem.empty() ? next : std::max(next, Clock::now() + kDiagnosticsPeriod);
+        has_failed ? std::max(next, Clock::now() + kDiagnosticsPeriod) : next;
     std::unique_lock<std::mutex> lock(mutex_);
     wake_.wait_until(lock, wake, [this] { return stop_.load(); });
   }
