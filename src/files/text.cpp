@@ -11,6 +11,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <sstream>
 
 #include "structure_from_wifi/input_error.h"
 
@@ -131,6 +132,15 @@ std::string printable(const std::string& text, std::size_t longest) {
   std::replace_if(
       shown.begin(), shown.end(), [](unsigned char c) { return c <= ' ' || c > '~'; }, '?');
   return shown;
+}
+
+std::string withPrefix(const std::string& prefix, const std::string& lines) {
+  std::istringstream all(lines);
+  std::string text;
+  for (std::string line; std::getline(all, line);) {
+    text += (text.empty() ? "" : "\n") + prefix + line;
+  }
+  return text;
 }
 
 std::string readFile(const std::string& file) {

@@ -33,6 +33,9 @@ std::string asUtf8(const std::string& text);
 /// @param longest  [bytes]; the rest is cut
 std::string printable(const std::string& text, std::size_t longest);
 
+/// Puts a prefix before each line of a text.
+std::string withPrefix(const std::string& prefix, const std::string& lines);
+
 /// Formats as printf.
 template <class... Arguments>
 std::string formatted(const char* format, Arguments... arguments) {

@@ -21,9 +21,9 @@ bool somethingIsAdvertised() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, SFW_NODE);
-  const ros::NodeHandle node;  // keeps ROS running until the nodelet is destroyed
   try {
+    ros::init(argc, argv, SFW_NODE);
+    const ros::NodeHandle node;  // keeps ROS running until the nodelet is destroyed
     nodelet::Loader loader(false);
     const bool loaded = loader.load(ros::this_node::getName(), SFW_NODELET,
                                     ros::names::getRemappings(), {argv + 1, argv + argc});

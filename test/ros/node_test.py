@@ -80,6 +80,17 @@ class Node(unittest.TestCase):
         self.refuses({"access_points": TABLE + TABLE + [{"bssid": "home", "x": "left", "y": 1}]},
                      "access_points[1]", "access_points[2]: 'bssid'", "access_points[2]: 'x'")
 
+    def test_names_access_points_that_are_too_far_apart(self):
+        far = [dict(TABLE[0]), {"bssid": "02:00:00:00:00:09", "x": 1e6, "y": 0.0}]
+        self.refuses({"access_points": far},
+                     "Mapping cannot start: no map can hold the access points")
+
+    def test_refuses_a_name_that_ros_cannot_use(self):
+        run = subprocess.run([sys.argv[1], "__name:=my mapper"], capture_output=True, text=True,
+                             timeout=60)
+        self.assertEqual(run.returncode, 1, run.stderr)
+        self.assertIn("is not valid in Graph Resource Name", run.stderr)
+
     def test_needs_a_list_of_access_points(self):
         self.refuses({"access_points": {"bssid": "home"}}, NAME + "/access_points must be a list")
 
@@ -117,7 +128,8 @@ class Node(unittest.TestCase):
         self.assertIn(NAME + "/access_points_file: " + table + ": access_points[0]: 'z0'", text)
 
     def test_names_a_bad_file_of_access_points(self):
-        self.refuses({"access_points_file": "/nowhere.yaml"}, "/nowhere.yaml: cannot be read")
+        self.refuses({"access_points_file": "/nowhere.yaml"},
+                     "Mapping cannot start: " + NAME + "/access_points_file: /nowhere.yaml: cannot be read")
         self.refuses({"access_points_file": self.table_file("access_points: 7\n")}, "table.yaml",
                      "access_points must be a list")
         self.refuses({"access_points_file": 7.5, "access_points": TABLE}, "7.5: cannot be read")

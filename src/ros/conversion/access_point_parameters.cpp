@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "files/text.h"
 #include "files/yaml.h"
 
 namespace sfw {
@@ -15,9 +16,15 @@ AccessPointReading accessPointsOfParameters(const YAML::Node& parameters) {
   if (!readScalar(parameters["access_points_file"], file) || file.empty()) {
     throw InputError("access_points_file must be the path of a file");
   }
-  AccessPointReading reading = readAccessPoints(file);
+  const std::string name = "access_points_file: ";
+  AccessPointReading reading;
+  try {
+    reading = readAccessPoints(file);
+  } catch (const InputError& error) {
+    throw InputError(withPrefix(name, error.what()));
+  }
   for (std::string& warning : reading.warnings) {
-    warning = "access_points_file: " + file + ": " + warning;
+    warning = name + file + ": " + warning;
   }
   if (has_list) {
     reading.warnings.push_back(

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "base/failure.h"
+#include "files/text.h"
 #include "ros/conversion/access_point_parameters.h"
 #include "ros/conversion/parameters.h"
 #include "ros/conversion/robot_topics.h"
@@ -30,16 +31,14 @@ void MappingNodelet::onInit() {
   try {
     advertiseDiagnostics();
     start();
-  } catch (const InputError& error) {
-    giveUp(error, getPrivateNodeHandle().getNamespace() + "/");
   } catch (const std::exception& error) {
-    giveUp(error, "");
+    giveUp(error);
   }
   try {
     // Without a map, this thread tells diagnostics why.
     locating_thread_ = std::thread([this] { run(quick_calls_, kLocatingSteps); });
   } catch (const std::exception& error) {
-    giveUp(error, "");
+    giveUp(error);
   }
 }
 
@@ -51,7 +50,7 @@ void MappingNodelet::start() {
   announceStart();
 }
 
-void MappingNodelet::giveUp(const std::exception& error, const std::string& prefix) noexcept {
+void MappingNodelet::giveUp(const std::exception& error) noexcept {
   {
     const std::lock_guard<std::mutex> lock(subscribing_);
     subscriptions_.clear();
@@ -71,7 +70,7 @@ void MappingNodelet::giveUp(const std::exception& error, const std::string& pref
     failure_ = reasonOf(error);
     std::istringstream problems(failure_);
     for (std::string problem; std::getline(problems, problem);) {
-      NODELET_ERROR_STREAM("Mapping cannot start: " << prefix << problem);
+      NODELET_ERROR_STREAM("Mapping cannot start: " << problem);
     }
   } catch (const std::exception&) {
     failure_ = "out of memory";  // so short that it needs none
@@ -79,6 +78,20 @@ void MappingNodelet::giveUp(const std::exception& error, const std::string& pref
 }
 
 void MappingNodelet::loadParameters() {
+  try {
+    readParameters();
+  } catch (const InputError& error) {
+    throw InputError(withPrefix(getPrivateNodeHandle().getNamespace() + "/", error.what()));
+  }
+  mapper_.emplace(config_, access_points_, jumpTolerance(ros_settings_));
+  queue_.emplace(ros_settings_);
+  robots_.emplace(ros_settings_);
+  refresh_rule_.emplace(config_.tomography.bin_size_m);
+  pose_watch_.emplace(ros_settings_.max_tilt_rad, ros_settings_.max_speed_m_s);
+  transforms_.emplace(ros::Duration(ros_settings_.tf_cache_s));
+}
+
+void MappingNodelet::readParameters() {
   const ros::NodeHandle& node = getPrivateNodeHandle();
   XmlRpc::XmlRpcValue tree;
   node.getParam(node.getNamespace(), tree);
@@ -95,12 +108,6 @@ void MappingNodelet::loadParameters() {
     NODELET_WARN_STREAM(node.getNamespace() << "/" << warning);
   }
   access_points_ = table.access_points;
-  mapper_.emplace(config_, access_points_, jumpTolerance(ros_settings_));
-  queue_.emplace(ros_settings_);
-  robots_.emplace(ros_settings_);
-  refresh_rule_.emplace(config_.tomography.bin_size_m);
-  pose_watch_.emplace(ros_settings_.max_tilt_rad, ros_settings_.max_speed_m_s);
-  transforms_.emplace(ros::Duration(ros_settings_.tf_cache_s));
 }
 
 void MappingNodelet::advertise() {

@@ -68,13 +68,13 @@ class MappingNodelet : public nodelet::Nodelet {
   void onInit() override;
   void start();
   /// Takes back what start() did, and logs each problem.
-  /// @param prefix  of a problem: the namespace of parameters
-  void giveUp(const std::exception& error, const std::string& prefix) noexcept;
+  void giveUp(const std::exception& error) noexcept;
   void advertiseDiagnostics();
   void announceStart();
 
-  /// @throw InputError
+  /// @throw InputError naming each parameter that cannot be used, or why they make no map
   void loadParameters();
+  void readParameters();
   void advertise();
   void warnOfOtherMappers();
   void advertiseServices();
