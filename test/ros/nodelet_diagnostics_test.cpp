@@ -1,6 +1,7 @@
 // What a loaded mapping nodelet tells its user: /diagnostics and the log.
 
 #include <gtest/gtest.h>
+#include <sensor_msgs/point_cloud2_iterator.h>
 #include <std_msgs/String.h>
 
 #include "nodelet_diagnostics_world.h"
@@ -31,6 +32,38 @@ TEST_F(NodeletDiagnosticsTest, NameTheReasonForReadingsThatWait) {
   ros::Time::setNow(at(60.0));
   EXPECT_TRUE(logs(rosgraph_msgs::Log::WARN, "tf had no transform from base_link to map"));
   EXPECT_TRUE(hears("map", Level::WARN, "tf has no frame map, base_link"));
+}
+
+TEST_F(NodeletDiagnosticsTest, NameTheReasonForReadingsThatAreAllRefused) {
+  load();
+  sendPose(0.0, 1.0, 2.0);
+  for (int i = 0; i < 5; ++i) {
+    sendScan(0.0, {{kNear, 70.0F}});
+  }
+  EXPECT_TRUE(hears("map", Level::WARN, "5 readings are refused: rssi_dbm is not in (-120, 0]"));
+  EXPECT_NE(save("nothing").message.find("readings are refused: rssi_dbm"), std::string::npos);
+  EXPECT_EQ(logged(rosgraph_msgs::Log::INFO, "The first reading"), 0);
+}
+
+TEST_F(NodeletDiagnosticsTest, NameTheFrameOfContactsThatAreDropped) {
+  ros::Publisher clouds =
+      ros::NodeHandle().advertise<sensor_msgs::PointCloud2>(name_ + "/contact_points", 10);
+  load();
+  ASSERT_TRUE(spinUntil([&] { return clouds.getNumSubscribers() > 0; }, 30.0));
+  sendPose(0.0, 1.0, 2.0);
+  sendPose(60.0, 1.0, 2.0);
+  sensor_msgs::PointCloud2 cloud;
+  cloud.header.frame_id = "bumper_link";
+  cloud.header.stamp = at(0.0);
+  sensor_msgs::PointCloud2Modifier modifier(cloud);
+  modifier.setPointCloud2FieldsByString(1, "xyz");
+  clouds.publish(cloud);
+  ros::Time::setNow(at(60.0));
+  EXPECT_TRUE(logs(rosgraph_msgs::Log::WARN,
+                   "1 contacts dropped: tf had no transform from bumper_link to map"));
+  EXPECT_TRUE(hasValue("transforms", "contacts dropped without a transform", "1"));
+  EXPECT_EQ(logged(rosgraph_msgs::Log::WARN, "from base_link to map"), 0);
+  EXPECT_TRUE(hears("map", Level::WARN, "no message has come on"));
 }
 
 TEST_F(NodeletDiagnosticsTest, ComeWhileTheClockStandsStillAtZero) {

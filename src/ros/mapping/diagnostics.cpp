@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <exception>
 #include <fstream>
+#include <optional>
+#include <utility>
 
 #include "ros/mapping/odometry_frame.h"
 
@@ -127,6 +129,17 @@ bool hearsOnlyUnknown(const MappingStatus& status) {
   return unknown != count.end() && unknown->second >= status.readings;
 }
 
+/// The most frequent reason for which the mapper refused readings, and their number.
+std::optional<std::pair<InsertResult, std::size_t>> mostRefused(const Rejections& rejections) {
+  std::optional<std::pair<InsertResult, std::size_t>> most;
+  for (const auto& [result, count] : rejections.count) {
+    if (result != InsertResult::kUnknownAccessPoint && (!most || count > most->second)) {
+      most.emplace(result, count);
+    }
+  }
+  return most;
+}
+
 std::string whyNoMap(const MappingStatus& status) {
   if (status.readings > 0) {
     return hearsOnlyUnknown(status)
@@ -165,6 +178,11 @@ std::string whyNoReading(const MappingStatus& status) {
   }
   if (status.is_clock_missing) {
     return "/use_sim_time is set, but no node publishes /clock";
+  }
+  // What is refused has come past tf.
+  if (const auto refused = mostRefused(status.rejections);
+      refused && refused->second > status.expired) {
+    return std::to_string(refused->second) + " readings are refused: " + toString(refused->first);
   }
   if (status.waiting > 0 || status.expired > 0) {
     const TransformStatus& transform = status.transform;
@@ -243,6 +261,7 @@ void describeTransforms(const MappingStatus& status, DiagnosticStatusWrapper& to
   to.add("error of tf", transform.tf_error);
   to.add("readings waiting for a transform", status.waiting);
   to.add("readings dropped without a transform", status.expired);
+  to.add("contacts dropped without a transform", status.expired_contacts);
   to.add("readings dropped because too many waited", status.overflowed);
   to.add("readings dropped because their pose jumped", status.jumped);
   to.add("readings with a tilted antenna", status.tilted);

@@ -46,6 +46,7 @@ struct MappingStatus {
   double transform_timeout_s = 0.0;
   std::size_t waiting = 0;              ///< readings that wait for a transform
   std::size_t expired = 0;              ///< readings dropped without a transform
+  std::size_t expired_contacts = 0;     ///< contacts likewise
   std::size_t overflowed = 0;           ///< readings dropped because too many waited
   std::size_t tilted = 0;               ///< readings of a tilted antenna
   std::size_t jumped = 0;               ///< readings dropped for their speed

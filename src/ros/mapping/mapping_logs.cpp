@@ -1,4 +1,4 @@
-// What the mapping nodelet tells its user: diagnostics, and logs that say each thing once.
+// What the mapping nodelet logs: each thing once.
 
 #include <cmath>
 #include <cstdio>
@@ -20,16 +20,6 @@ std::string pairText(const char* format, double a, double b) {
 }
 
 }  // namespace
-
-void MappingNodelet::advertiseDiagnostics() {
-  using Wrapper = diagnostic_updater::DiagnosticStatusWrapper;
-  diagnostics_.emplace(getNodeHandle(), getPrivateNodeHandle(),
-                       getPrivateNodeHandle().getNamespace());
-  diagnostics_->setHardwareID("none");
-  diagnostics_->add("inputs", [this](Wrapper& to) { describeInputs(status_, to); });
-  diagnostics_->add("transforms", [this](Wrapper& to) { describeTransforms(status_, to); });
-  diagnostics_->add("map", [this](Wrapper& to) { describeMap(status_, to); });
-}
 
 void MappingNodelet::warnOfOtherMappers() {
   const std::string topic = getNodeHandle().resolveName("map");
@@ -66,7 +56,7 @@ void MappingNodelet::announceStart() {
 }
 
 void MappingNodelet::announceFirstReading(const LocatedObservation& observation) {
-  if (!observation.readings.empty() && announcements_.isNews("first reading")) {
+  if (announcements_.isNews("first reading")) {
     const Reading& reading = observation.readings.front();
     NODELET_INFO_STREAM("The first reading, of "
                         << reading.bssid.str() << ", is located at "
@@ -83,86 +73,6 @@ void MappingNodelet::announceMap(const PublishedMap& map) {
     NODELET_INFO_STREAM("The map covers " << size
                                           << pairText("; %.1f m2 are free", map.free_m2, 0.0));
   }
-}
-
-void MappingNodelet::diagnose() {
-  const ros::SteadyTime now = ros::SteadyTime::now();
-  if (now < next_diagnosis_) {
-    return;
-  }
-  next_diagnosis_ = now + ros::WallDuration(1.0);
-  status_ = status();
-  if (diagnostics_) {
-    diagnostics_->force_update();  // update() would stop with the simulated clock
-  }
-  if (failure_.empty()) {
-    subscribeAnew();
-    mapper_->recordFrames(status_.frames);
-    announceMissingInput();
-    if (announcements_.isNews("infinite transforms", status_.infinite_transforms)) {
-      NODELET_WARN_STREAM(status_.infinite_transforms
-                          << " transforms on /tf are not finite and left out; look for the node "
-                             "that publishes them");
-    }
-  }
-}
-
-TransformStatus MappingNodelet::transformStatusOfRobots() const {
-  std::optional<TransformStatus> first;
-  for (const RosSettings& robot : robots_->settings()) {
-    TransformStatus status = transformStatus(robot, *transforms_, ros::Time::now());
-    if (!status.tf_error.empty() || status.age_s > ros_settings_.transform_timeout_s) {
-      return status;
-    }
-    first = first ? first : std::optional(std::move(status));
-  }
-  return *first;
-}
-
-FrameFinding MappingNodelet::frameFindingOfRobots() const {
-  FrameFinding finding;
-  for (const RosSettings& robot : robots_->settings()) {
-    if (finding.published_twice.empty()) {
-      finding = transform_watch_.finding(robot.antenna_frame);
-    }
-  }
-  return finding;
-}
-
-MappingStatus MappingNodelet::status() const {
-  MappingStatus status;
-  const ros::SteadyTime now = ros::SteadyTime::now();
-  status.now_s = now.toSec();
-  status.running_s = (now - started_).toSec();
-  status.failure = failure_;
-  if (!failure_.empty()) {
-    return status;
-  }
-  status.is_clock_missing = ros::Time::isSimTime() && ros::Time::now().isZero();
-  status.inputs = statistics_.inputs(status.now_s);
-  status.transform = transformStatusOfRobots();
-  status.frames = frameFindingOfRobots();
-  status.frames.floors_m = floors_.heights();
-  status.infinite_transforms = transform_intake_ ? transform_intake_->leftOut() : 0;
-  status.transform_timeout_s = ros_settings_.transform_timeout_s;
-  status.is_paused = paused_;
-  status.waiting = queue_->size();
-  status.readings = mapper_->readings();
-  status.rejections = mapper_->rejections();
-  if (const auto last = publishers_->last()) {
-    status.map = last->snapshot;
-    status.findings = last->findings;
-    status.free_m2 = last->free_m2;
-  }
-  const std::lock_guard<std::mutex> lock(facts_mutex_);
-  status.update_failure = facts_.update_failure;
-  status.autosave_failure = facts_.autosave_failure;
-  status.inference_s = facts_.inference_s;
-  status.expired = facts_.expired;
-  status.overflowed = facts_.overflowed;
-  status.tilted = facts_.tilted;
-  status.jumped = facts_.jumped;
-  return status;
 }
 
 void MappingNodelet::announceMissingInput() {
@@ -194,12 +104,25 @@ void MappingNodelet::announceMissingInput() {
 }
 
 void MappingNodelet::warnOfLosses(const ObservationQueue::Outcome& outcome) {
-  facts_mutex_.lock();
+  std::unique_lock<std::mutex> lock(facts_mutex_);
   const std::size_t expired = facts_.expired += outcome.expired;
+  const std::size_t contacts = facts_.expired_contacts += outcome.expired_contacts;
   const std::size_t overflowed = facts_.overflowed += outcome.overflowed;
-  facts_mutex_.unlock();
+  lock.unlock();
+  if (outcome.expired + outcome.expired_contacts > 0) {
+    mapper_->recordRejected("no transform at their stamp",
+                            outcome.expired + outcome.expired_contacts);
+  }
+  if (outcome.expired_contacts > 0 && announcements_.isNews("expired contacts", contacts)) {
+    NODELET_WARN_STREAM(contacts << " contacts dropped: tf had no transform from "
+                                 << outcome.contacts_frame << " to " << ros_settings_.map_frame
+                                 << " at their stamp within ros/transform_timeout ("
+                                 << ros_settings_.transform_timeout_s
+                                 << " s); publish it, or correct the frame of the bumper. tf's "
+                                    "error: "
+                                 << outcome.contacts_tf_error);
+  }
   if (outcome.expired > 0) {
-    mapper_->recordRejected("no transform at their stamp", outcome.expired);
     if (announcements_.isNews("expired", expired)) {
       NODELET_WARN_STREAM(
           expired << " readings dropped: tf had no transform from "
@@ -224,18 +147,6 @@ void MappingNodelet::warnOfLosses(const ObservationQueue::Outcome& outcome) {
                              "raise ros/max_waiting ("
                           << ros_settings_.max_waiting << "), or find out why tf is late");
     }
-  }
-}
-
-void MappingNodelet::noteFailedMessage(const Source& source, const std::exception& error) noexcept {
-  try {
-    const std::string problem = std::string("it could not be processed: ") + reasonOf(error);
-    statistics_.count(source.index, rejection(problem), ros::SteadyTime::now().toSec());
-    if (announcements_.isNews(source.topic + " failed", problem)) {
-      NODELET_ERROR_STREAM("A message on " << source.topic << " is left out: " << problem);
-    }
-  } catch (const std::exception&) {
-    // Not even the memory for the text is there; the next message may be told.
   }
 }
 

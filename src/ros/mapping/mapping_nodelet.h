@@ -245,7 +245,7 @@ class MappingNodelet : public nodelet::Nodelet {
     std::string update_failure;
     std::string autosave_failure;
     double inference_s = 0.0;
-    std::size_t expired = 0, overflowed = 0, tilted = 0, jumped = 0;
+    std::size_t expired = 0, expired_contacts = 0, overflowed = 0, tilted = 0, jumped = 0;
   } facts_;
 
   std::vector<OdometryCorrection> last_map_corrections_;  // tf's at the last map

@@ -4,6 +4,7 @@
 #include <exception>
 #include <new>
 #include <utility>
+#include <variant>
 
 namespace sfw {
 
@@ -53,6 +54,14 @@ void ObservationQueue::clear() {
 std::size_t ObservationQueue::size() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return waiting_.size();
+}
+
+std::size_t ObservationQueue::readings() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return static_cast<std::size_t>(
+      std::count_if(waiting_.begin(), waiting_.end(), [](const Waiting& waiting) {
+        return std::holds_alternative<UnlocatedReading>(waiting.observation.content);
+      }));
 }
 
 bool ObservationQueue::isExpired(const Waiting& waiting, const ros::Time& now) const {
@@ -119,8 +128,15 @@ void ObservationQueue::locateFirst(std::list<Waiting>& all, std::list<Waiting>& 
     throw;
   }
   if (isExpired(waiting, now)) {
-    ++outcome.expired;
-    outcome.tf_error = tf_error;
+    const auto* contacts = std::get_if<UnlocatedContacts>(&waiting.observation.content);
+    if (contacts == nullptr) {
+      ++outcome.expired;
+      outcome.tf_error = tf_error;
+    } else {
+      ++outcome.expired_contacts;
+      outcome.contacts_frame = contacts->frame;
+      outcome.contacts_tf_error = tf_error;
+    }
     return;
   }
   waiting.since = waiting.since.isZero() ? now : waiting.since;

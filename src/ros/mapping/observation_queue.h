@@ -36,13 +36,19 @@ class ObservationQueue {
   /// The number of observations that wait.
   std::size_t size() const;
 
+  /// The number of readings among them.
+  std::size_t readings() const;
+
   /// Counts the observations of one call of locate().
   struct Outcome {
     std::size_t located = 0;
-    std::size_t expired = 0;     ///< older than ros/transform_timeout, or in the queue for so long
-    std::size_t overflowed = 0;  ///< usable ones dropped by push() since the last call
-    std::size_t unusable = 0;    ///< unusable ones likewise
-    std::string tf_error;        ///< of the last one that expired
+    std::size_t expired = 0;  ///< readings older than ros/transform_timeout, or so long here
+    std::size_t expired_contacts = 0;  ///< contacts likewise
+    std::size_t overflowed = 0;        ///< usable ones dropped by push() since the last call
+    std::size_t unusable = 0;          ///< unusable ones likewise
+    std::string tf_error;              ///< of the last reading that expired
+    std::string contacts_frame;        ///< of the last contacts that expired
+    std::string contacts_tf_error;     ///< likewise
   };
 
   using Sink = std::function<void(const LocatedObservation&)>;

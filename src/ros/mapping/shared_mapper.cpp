@@ -31,9 +31,11 @@ SharedMapper::SharedMapper(const Config& config, const std::vector<AccessPoint>&
                            const PathCorrector::Tolerance& tolerance)
     : mapper_(config, access_points), corrector_(tolerance) {}
 
-void SharedMapper::insert(const LocatedObservation& observation) {
+std::size_t SharedMapper::insert(const LocatedObservation& observation) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  readings_ += sfw::insert(observation, mapper_, corrector_);
+  const std::size_t kept = sfw::insert(observation, mapper_, corrector_);
+  readings_ += kept;
+  return kept;
 }
 
 void SharedMapper::configure(const Config& config) {

@@ -28,7 +28,8 @@ class SharedMapper {
   SharedMapper(const Config& config, const std::vector<AccessPoint>& access_points,
                const PathCorrector::Tolerance& tolerance);
 
-  void insert(const LocatedObservation& observation);
+  /// @return the number of its readings that are kept
+  std::size_t insert(const LocatedObservation& observation);
 
   /// Forgets all readings and corrections; the geometry stays.
   void reset();
