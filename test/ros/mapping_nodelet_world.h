@@ -65,7 +65,8 @@ class NodeletWorld : public testing::Test {
 
   void TearDown() override {
     loader_.clear();
-    ros::spinOnce();
+    // A callback may hold the nodelet, which saves its session when it ends.
+    spinUntil([&] { return !advertises(name_ + "/map"); }, 10.0 * kSlowdown);
     consumers_.reset();
     ros::param::del(name_);
     std::filesystem::remove_all(folder_);

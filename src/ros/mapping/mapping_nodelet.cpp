@@ -80,7 +80,11 @@ void MappingNodelet::loadParameters() {
   } catch (const InputError& error) {
     throw InputError(withPrefix(getPrivateNodeHandle().getNamespace() + "/", error.what()));
   }
-  mapper_.emplace(config_, access_points_, jumpTolerance(ros_settings_));
+  try {
+    mapper_.emplace(config_, access_points_, jumpTolerance(ros_settings_));
+  } catch (const InputError& error) {
+    throw InputError(withPrefix(getPrivateNodeHandle().getNamespace() + ": ", error.what()));
+  }
   queue_.emplace(ros_settings_);
   robots_.emplace(ros_settings_);
   refresh_rule_.emplace(config_.tomography.bin_size_m);
