@@ -6,6 +6,7 @@
 #include <std_srvs/Trigger.h>
 
 #include <algorithm>
+#include <boost/make_shared.hpp>
 
 #include "failing_allocations.h"
 #include "memory_limit.h"
@@ -62,6 +63,20 @@ TEST_F(NodeletMemoryTest, AMessageWithoutMemoryIsCountedAndLeftOut) {
   sendScan(0.0, {{kFar, -60.0F}});
   EXPECT_EQ(rows(1), Rows{row(0.0, 1.0, 2.0, kFar, -60.0)});
   EXPECT_EQ(savedFile("contacts.csv"), "stamp,x,y\n");
+}
+
+TEST_F(NodeletMemoryTest, ATransformWithoutMemoryIsLeftOutAndTold) {
+  load();
+  const auto message = boost::make_shared<tf2_msgs::TFMessage>();
+  message->transforms = {transform(0.0, "map", std::string(2 * kLarge, 'x'), 0.0, 0.0)};
+  {
+    const FailingAllocations shortage(kLarge, Threads::kOthers);
+    transforms_.publish(message);  // not copied within a process
+    EXPECT_TRUE(logs(kError, "A message of tf is left out: out of memory"));
+  }
+  sendPose(0.0, 1.0, 2.0);
+  sendScan(0.0, {{kFar, -60.0F}});
+  EXPECT_EQ(rows(1), Rows{row(0.0, 1.0, 2.0, kFar, -60.0)});
 }
 
 TEST_F(NodeletMemoryTest, AMapWithoutMemoryIsTriedAgain) {

@@ -11,7 +11,9 @@
 namespace sfw {
 
 void MappingNodelet::subscribe() {
-  transform_intake_.emplace(getNodeHandle(), *transforms_, transform_watch_);
+  transform_intake_.emplace(
+      getNodeHandle(), *transforms_, transform_watch_,
+      [this](const std::exception& error) { noteFailure("A message of tf is left out", error); });
   const std::lock_guard<std::mutex> lock(subscribing_);
   for (Source& source : sources()) {
     const std::string topic = getNodeHandle().resolveName(source.topic);

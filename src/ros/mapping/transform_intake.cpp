@@ -2,6 +2,7 @@
 
 #include <boost/function.hpp>
 #include <cmath>
+#include <utility>
 
 namespace sfw {
 namespace {
@@ -26,13 +27,18 @@ bool takeTransform(const geometry_msgs::TransformStamped& transform, const std::
 }
 
 TransformIntake::TransformIntake(ros::NodeHandle& node, tf2::BufferCore& transforms,
-                                 TransformWatch& watch)
-    : transforms_(transforms), watch_(watch) {
+                                 TransformWatch& watch, OnFailure on_failure)
+    : transforms_(transforms), watch_(watch), on_failure_(std::move(on_failure)) {
   constexpr std::uint32_t kQueue = 1000;
   using Event = ros::MessageEvent<tf2_msgs::TFMessage const>;
   const auto subscribeTo = [&](const char* topic, bool is_static) {
     const boost::function<void(const Event&)> callback = [this, is_static](const Event& event) {
-      take(event, is_static);
+      try {
+        take(event, is_static);
+      } catch (const std::exception& error) {
+        // An exception that leaves a callback ends the nodelet manager.
+        on_failure_(error);
+      }
     };
     return node.subscribe<tf2_msgs::TFMessage>(topic, kQueue, callback);
   };

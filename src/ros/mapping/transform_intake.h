@@ -8,6 +8,8 @@
 
 #include <atomic>
 #include <cstddef>
+#include <exception>
+#include <functional>
 #include <string>
 
 #include "ros/mapping/transform_watch.h"
@@ -28,8 +30,12 @@ bool takeTransform(const geometry_msgs::TransformStamped& transform, const std::
 /// before, as tf2_ros::TransformListener does.
 class TransformIntake {
  public:
-  /// Takes transforms in the callbacks of a node; both others must live as long.
-  TransformIntake(ros::NodeHandle& node, tf2::BufferCore& transforms, TransformWatch& watch);
+  using OnFailure = std::function<void(const std::exception&)>;
+
+  /// Takes transforms in the callbacks of a node; buffer and watch must live as long.
+  /// @param on_failure  told why a message was left out, in the callback; must not throw
+  TransformIntake(ros::NodeHandle& node, tf2::BufferCore& transforms, TransformWatch& watch,
+                  OnFailure on_failure);
 
   /// The number of transforms that were not finite.
   std::size_t leftOut() const { return left_out_; }
@@ -39,6 +45,7 @@ class TransformIntake {
 
   tf2::BufferCore& transforms_;
   TransformWatch& watch_;
+  const OnFailure on_failure_;
   ros::Time last_now_;  // in the callbacks only
   std::atomic<std::size_t> left_out_{0};
   ros::Subscriber moving_, static_;  // last, so that no callback finds the others gone
