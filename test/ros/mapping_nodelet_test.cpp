@@ -15,7 +15,6 @@
 #include "any_message_of.h"
 #include "mapping_nodelet_world.h"
 #include "ros/conversion/input_messages.h"
-#include "support/slowdown.h"
 
 namespace sfw {
 namespace {
@@ -106,7 +105,7 @@ TEST_F(MappingNodeletTest, TheStrongestOfARadioNamedTwiceCounts) {
   EXPECT_EQ(rows(2), (Rows{row(0.0, 1.0, 2.0, kNear, -50.0), row(0.0, 1.0, 2.0, kFar, -60.0)}));
 }
 
-TEST_F(MappingNodeletTest, AHugeScanIsCappedAndHoldsNobodyUp) {
+TEST_F(MappingNodeletTest, AHugeScanIsCapped) {
   std::vector<std::pair<std::string, float>> readings;
   for (int i = 0; i < 12000; ++i) {
     char bssid[18];
@@ -119,9 +118,7 @@ TEST_F(MappingNodeletTest, AHugeScanIsCappedAndHoldsNobodyUp) {
   EXPECT_EQ(rows(kMostReadings).size(), kMostReadings) << "more than may wait, in one message";
 
   const AnyMessage message = anyMessageOf(scanOf(readings));
-  const ros::WallTime start = ros::WallTime::now();
   const Conversion conversion = convertReadings(message, {at(0.0), "base_link", 0.15});
-  EXPECT_LT((ros::WallTime::now() - start).toSec(), 0.05 * kSlowdown);
   EXPECT_EQ(conversion.observations.size(), kMostReadings);
   EXPECT_EQ(conversion.rejected.at("the message has more than 10000 readings"), 2000U);
 }
