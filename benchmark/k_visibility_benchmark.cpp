@@ -70,7 +70,8 @@ void measure(const std::string& name, const Grid<CellState>& plan) {
         centres[static_cast<std::size_t>(chance * static_cast<double>(centres.size()))] +
         Position(0.0031, 0.0017);
     const double best = 1e3 * leastCpuSeconds(kRepetitions, [&] {
-                          return double{forwardKVisibility(plan, access_point).cells.back()};
+                          const auto last = forwardKVisibility(plan, access_point).cells.back();
+                          return static_cast<double>(last);
                         });
     sweep += best / kPlaces;
     longest = std::max(longest, best);

@@ -116,7 +116,7 @@ class Install(Space, unittest.TestCase):
         self.assertEqual(headers, {path.stem for path in (ROOT / "include" / PACKAGE).iterdir()})
         libraries = {path.name.split(".")[0] for path in (INSTALL / "lib").glob("lib*")}
         self.assertEqual(libraries, {"libstructure_from_wifi_" + name for name in
-                                     ("mapping", "mapping_nodelet", "simulator_nodelet",
+                                     ("mapping", "mrpt", "mapping_nodelet", "simulator_nodelet",
                                       "wireless_nodelet", "rviz_panel")})
         programs = {path.name for path in (INSTALL / "lib" / PACKAGE).iterdir()}
         self.assertEqual(programs, {"sfw", "mapping_node", "simulator_node",
