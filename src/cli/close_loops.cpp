@@ -90,6 +90,14 @@ void write(const LoadedRecording& recording, const std::string& directory) {
   writeRecording(readings, contacts, access_points, directory, path);
 }
 
+std::map<std::string, LoopClosure> loopsOf(const LoadedRecording& recording, std::int64_t seed) {
+  try {
+    return closeLoopsByRobot(recording.mapper.readings(), seed);
+  } catch (const InputError& error) {
+    throw InputError(recording.source + ": " + error.what());
+  }
+}
+
 }  // namespace
 
 void runCloseLoops(Options& options) {
@@ -112,8 +120,7 @@ void runCloseLoops(Options& options) {
     throw InputError(recording.source +
                      ": no reading can be used; the warnings above give the reasons");
   }
-  const std::map<std::string, LoopClosure> loops =
-      closeLoopsByRobot(recording.mapper.readings(), seed);
+  const std::map<std::string, LoopClosure> loops = loopsOf(recording, seed);
   nlohmann::json found = nlohmann::json::array();
   for (const auto& [robot, loop] : loops) {
     std::cerr << "sfw: " << recording.source << ": " << sentenceOn(robot, loop) << '\n';

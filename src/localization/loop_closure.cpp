@@ -24,8 +24,9 @@ constexpr double kMostBlocks = 24.0;  // so the blocks of a long drive are longe
 constexpr double kApartM = 5.0;       // of the way between a radio map and the block
 constexpr double kWarmUpM = 5.0;      // of the way before a block, for the filter to settle
 
-constexpr double kNearM = 2.0;         // from a closing to a mapped place
-constexpr double kSharedErrors = 4.0;  // closings of neighbouring stretches count as one
+constexpr double kNearM = 2.0;             // from a closing to a mapped place
+constexpr double kSharedErrors = 4.0;      // closings of neighbouring stretches count as one
+constexpr double kLeastVarianceM2 = 0.01;  // of an estimate, even if all particles agree
 
 /// The estimate of the filter nearest to the middle of a stretch.
 struct StretchEstimate {
@@ -108,7 +109,7 @@ class LoopCloser {
       }
       if (distance(nearest) < kNearM) {
         closings_.push_back({nearest, i, estimates[i].position - loop_.path.positions[nearest],
-                             kSharedErrors * estimates[i].variance_m2});
+                             kSharedErrors * std::max(estimates[i].variance_m2, kLeastVarianceM2)});
       }
     }
   }
