@@ -10,7 +10,6 @@
 #include "files/mrpt_library.h"
 #include "localization/signal_field.h"
 #include "path/building_frame.h"
-#include "radio/nearest_neighbours.h"
 #include "radio/path_loss.h"
 #include "radio/radio_bins.h"
 #include "radio/shadowing.h"
@@ -23,7 +22,6 @@ constexpr double kGrid = 0.1;        // [m]; half the bins
 constexpr double kGridMargin = 0.5;  // [m]
 constexpr std::int64_t kMostCells = 16'000'000;
 constexpr std::size_t kFewestBins = 8;
-constexpr std::size_t kNeighbours = 16;
 constexpr std::array<double, 4> kKernelsM{0.5, 1.0, 2.0, 4.0};  // of MRPT
 
 /// One access point in a fold.
@@ -31,15 +29,6 @@ struct Part {
   AccessPointBins known;
   AccessPointBins hidden;
 };
-
-/// The means of bins, building frame.
-std::vector<Sample> samplesOf(const AccessPointBins& access_point) {
-  std::vector<Sample> samples;
-  for (const RadioBin& bin : access_point.bins) {
-    samples.push_back({bin.position, bin.rssi_dbm});
-  }
-  return samples;
-}
 
 /// Signals at some bins, with the inputs of their prediction.
 struct Bins {
@@ -63,71 +52,32 @@ double rootMeanSquare(double sum, std::size_t count) {
   return std::sqrt(sum / static_cast<double>(count));
 }
 
-/// A log-distance law fitted to bins, with the residual of each bin.
-class Law {
- public:
-  Law(const AccessPointBins& access_point, const Bins& bins, const SignalCovariance& model)
-      : access_point_(access_point),
-        model_(model),
-        positions_(positionsOf(access_point)),
-        nearest_(positions_) {
-    for (std::size_t i = 0; i < access_point.bins.size(); ++i) {
-      nearest_.enter(static_cast<int>(i));
-    }
-    const ShadowingWhitener whitener(access_point, model);
-    const Eigen::MatrixXd white = whitener.whitened(bins.basis);
-    const Eigen::Vector2d prior(kPriorPowerDbm, -kPriorExponent);
-    const Eigen::Vector2d deviation(model.power_sd_db, model.exponent_sd);
-    Eigen::Matrix2d information = white.transpose() * white;
-    information.diagonal() += deviation.cwiseAbs2().cwiseInverse();
-    law_ = prior + information.llt().solve(white.transpose() *
-                                           (whitener.whitened(bins.signals) - white * prior));
-    residual_ = bins.signals - bins.basis * law_;
+/// The log-distance law fitted to bins: power and exponent.
+Eigen::Vector2d lawOf(const AccessPointBins& access_point, const Bins& bins,
+                      const SignalCovariance& model) {
+  const ShadowingWhitener whitener(access_point, model);
+  const Eigen::MatrixXd white = whitener.whitened(bins.basis);
+  const Eigen::Vector2d prior(kPriorPowerDbm, -kPriorExponent);
+  const Eigen::Vector2d deviation(model.power_sd_db, model.exponent_sd);
+  Eigen::Matrix2d information = white.transpose() * white;
+  information.diagonal() += deviation.cwiseAbs2().cwiseInverse();
+  return prior + information.llt().solve(white.transpose() *
+                                         (whitener.whitened(bins.signals) - white * prior));
+}
+
+/// The signals at bins, as samples in the building frame.
+std::vector<Sample> samplesOf(const AccessPointBins& access_point, const Eigen::VectorXd& signals) {
+  std::vector<Sample> samples;
+  for (std::size_t i = 0; i < access_point.bins.size(); ++i) {
+    samples.push_back({access_point.bins[i].position, signals[static_cast<Eigen::Index>(i)]});
   }
-
-  /// Predicted signals without the losses of walls [dBm].
-  Eigen::VectorXd mean(const Bins& bins) const { return bins.basis * law_; }
-
-  /// The excess of the signals at the nearest bins over the law [dB].
-  double shadowing(const Position& place) {
-    const auto& nearest = nearest_.nearest(place, kNeighbours);
-    const auto size = static_cast<Eigen::Index>(nearest.size());
-    Eigen::MatrixXd among(size, size);
-    Eigen::VectorXd with(size);
-    Eigen::VectorXd residual(size);
-    for (Eigen::Index i = 0; i < size; ++i) {
-      const auto [square, at] = nearest[static_cast<std::size_t>(i)];
-      const RadioBin& bin = access_point_.bins[static_cast<std::size_t>(at)];
-      with[i] = shared(std::sqrt(square));
-      residual[i] = residual_[at];
-      for (Eigen::Index j = 0; j < size; ++j) {
-        const int other = nearest[static_cast<std::size_t>(j)].second;
-        among(i, j) = shared((positions_[static_cast<std::size_t>(other)] - bin.position).norm());
-      }
-      among(i, i) += noiseAt(bin) + model_.nugget_db2;
-    }
-    return with.dot(among.llt().solve(residual));
-  }
-
- private:
-  double noiseAt(const RadioBin& bin) const { return access_point_.noise_db2 / bin.readings; }
-  double shared(double distance) const {
-    return model_.shadowing_db * model_.shadowing_db *
-           std::exp(-distance / model_.shadowing_distance_m);
-  }
-
-  const AccessPointBins& access_point_;
-  const SignalCovariance& model_;
-  std::vector<Position> positions_;
-  NearestNeighbours nearest_;
-  Eigen::Vector2d law_;
-  Eigen::VectorXd residual_;
-};
+  return samples;
+}
 
 /// Sums of squared errors of one way to predict [dB2].
 struct SquaredErrors {
   double mean = 0.0;      ///< without shadowing
-  double shadowed = 0.0;  ///< with the residuals of the nearest bins
+  double shadowed = 0.0;  ///< with the signals of the nearest bins
 };
 
 class Prediction {
@@ -224,7 +174,8 @@ class Prediction {
     for (const Part& part : parts) {
       add(part, nullptr, distance_);
       add(part, &field, walls_);
-      const std::vector<Sample> known_means = samplesOf(part.known);
+      const std::vector<Sample> known_means =
+          samplesOf(part.known, describe(part.known, nullptr).signals);
       const std::vector<Position> places = positionsOf(part.hidden);
       const SignalField kriging(known_means, learnConstantLaw(known_means));
       addErrors(part.hidden, kriging.predict(places).mean_dbm, kriging_db2_);
@@ -252,14 +203,16 @@ class Prediction {
   }
 
   void add(const Part& part, const WallField* field, SquaredErrors& sum) const {
-    Law law(part.known, describe(part.known, field), config_.shadowing);
+    const Bins known = describe(part.known, field);
     const Bins hidden = describe(part.hidden, field);
-    const Eigen::VectorXd error = hidden.signals - law.mean(hidden);
-    for (Eigen::Index i = 0; i < error.size(); ++i) {
-      const double shadowing =
-          law.shadowing(part.hidden.bins[static_cast<std::size_t>(i)].position);
-      sum.mean += error[i] * error[i];
-      sum.shadowed += (error[i] - shadowing) * (error[i] - shadowing);
+    sum.mean +=
+        (hidden.signals - hidden.basis * lawOf(part.known, known, config_.shadowing)).squaredNorm();
+    const std::vector<Sample> samples = samplesOf(part.known, known.signals);
+    const SignalField shadowed(samples, learnSignalLaw(samples, part.known.position));
+    const std::vector<double> predicted_dbm = shadowed.predict(positionsOf(part.hidden)).mean_dbm;
+    for (Eigen::Index i = 0; i < hidden.signals.size(); ++i) {
+      const double error_db = hidden.signals[i] - predicted_dbm[static_cast<std::size_t>(i)];
+      sum.shadowed += error_db * error_db;
     }
   }
 

@@ -39,9 +39,10 @@ struct PredictionMetrics {
 /// The path is cut into stretches, which are assigned to folds in turn. Each fold is hidden once,
 /// for all access points. The other readings give the walls, and power and exponent with the priors
 /// of `shadowing`. From these, the mean signals of the hidden bins are predicted. Predictions are
-/// made with and without the walls' losses, and with and without the residuals of the nearest 16
-/// bins (kriging). The gain of walls over distance measures the radio's information about the
-/// building. The nearest bins alone reach much of that gain.
+/// made with and without the walls' losses, and with and without the signals of the nearest bins.
+/// The latter come from a Gaussian process about the law of distance, whose shadowing is fitted to
+/// each access point (learnSignalLaw). The gain of walls over distance measures the radio's
+/// information about the building. The nearest bins alone reach much of that gain.
 ///
 /// @param readings       map frame, in any order
 /// @param access_points access points without readings are skipped
