@@ -54,6 +54,8 @@ TEST(RosSettings, LimitsOfPosesAndTheAnswerToATimeJump) {
   EXPECT_EQ(brokenBy("ros/max_speed", 0.0), Names());
   EXPECT_EQ(brokenBy("ros/localisation_rate", -1e-9), Names{"ros/localisation_rate"});
   EXPECT_EQ(brokenBy("ros/localisation_rate", 0.0), Names());
+  EXPECT_EQ(brokenBy("ros/localisation_rate", 100.0), Names());
+  EXPECT_EQ(brokenBy("ros/localisation_rate", 1e9), Names{"ros/localisation_rate"});
   EXPECT_EQ(brokenBy("ros/on_time_jump", std::string("wait")), Names{"ros/on_time_jump"});
   EXPECT_EQ(brokenBy("ros/on_time_jump", std::string("reset")), Names());
 }

@@ -100,7 +100,8 @@ std::vector<std::string> validate(const RosSettings& settings) {
                    "ros/on_time_jump", "'" + settings.on_time_jump + "'", "'keep' or 'reset'");
   problems.positive("ros/max_tilt", settings.max_tilt_rad);
   problems.notNegative("ros/max_speed", settings.max_speed_m_s);
-  problems.notNegative("ros/localisation_rate", settings.localisation_rate_hz);
+  constexpr double kFastestHz = 100.0;  // faster than any scanner
+  problems.within("ros/localisation_rate", settings.localisation_rate_hz, 0.0, kFastestHz, "Hz");
   return problems.list();
 }
 
