@@ -17,6 +17,8 @@ namespace {
 
 const char* wordFor(LoopClosure::Finding finding) {
   switch (finding) {
+    case LoopClosure::Finding::kFewRadios:
+      return "few radios";
     case LoopClosure::Finding::kNoLoop:
       return "no loop";
     case LoopClosure::Finding::kNoDrift:
@@ -35,6 +37,9 @@ std::string sentenceOn(const std::string& robot, const LoopClosure& loop) {
       formatted("the path%s is off by %.1f m (median of %zu stretches of half a metre)",
                 whose.c_str(), loop.before.distance_m, loop.closings);
   switch (loop.finding) {
+    case LoopClosure::Finding::kFewRadios:
+      return "the path" + whose + " stays: fewer than four radios sound alike at far places; add " +
+             "access points to find drift";
     case LoopClosure::Finding::kNoLoop:
       return formatted(
           "the path%s stays: it returns to heard places in %zu stretches of half a "

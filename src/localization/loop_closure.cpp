@@ -81,6 +81,12 @@ class LoopCloser {
   }
 
   LoopClosure run() {
+    // Two strengths belong to two places at least, and noise makes them many.
+    constexpr std::size_t kFewestRadios = 4;
+    if (!scans_.empty() && difference_.radios() < kFewestRadios) {
+      loop_.finding = LoopClosure::Finding::kFewRadios;
+      return std::move(loop_);
+    }
     const double whole_m = way_m_.empty() ? 0.0 : way_m_.back();
     const double block_m = std::max(kBlockM, whole_m / kMostBlocks);
     for (double from_m = 2.0 * kBlockM; from_m < whole_m && !isStopped(stop_); from_m += block_m) {

@@ -15,6 +15,7 @@ namespace sfw {
 /// How a path by odometry is corrected where the robot returned to places that sound the same.
 struct LoopClosure {
   enum class Finding {
+    kFewRadios,    ///< fewer than four radios: they sound alike at far places
     kNoLoop,       ///< the robot never returned to a place that it had heard before
     kNoDrift,      ///< the path is as good as the radio can tell
     kContradicts,  ///< no path of a robot agrees with the signals

@@ -17,6 +17,9 @@ class ScanDifference {
   /// Radios in fewer than five scans are left out. O(scans x radios).
   explicit ScanDifference(const std::vector<Scan>& scans);
 
+  /// How many radios it compares.
+  std::size_t radios() const { return static_cast<std::size_t>(rssi_dbm_.rows()); }
+
   /// Infinite if the scans have fewer than three radios together, or fewer than all if there are
   /// fewer than three.
   double between(std::size_t a, std::size_t b) const;

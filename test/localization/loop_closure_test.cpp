@@ -51,6 +51,21 @@ TEST(CloseLoops, FindsNoneWithoutAReturn) {
   EXPECT_EQ(closeLoops({}, 0).closings, 0U);
 }
 
+TEST(CloseLoops, NeedsFourRadios) {
+  std::vector<Reading> readings = DriftedHall{0.008}.readings();
+  const auto of = [&](std::size_t radios) {
+    std::vector<Reading> some;
+    for (std::size_t i = 0; i < readings.size(); ++i) {
+      if (i % 8 < radios) {  // a scan has eight
+        some.push_back(readings[i]);
+      }
+    }
+    return closeLoops(some, 0).finding;
+  };
+  EXPECT_EQ(of(3), LoopClosure::Finding::kFewRadios);
+  EXPECT_NE(of(4), LoopClosure::Finding::kFewRadios);
+}
+
 TEST(CloseLoops, DoesNotBelieveSignalsOfOtherTimes) {
   std::vector<Reading> readings = DriftedHall{0.003}.readings();
   std::vector<double> signals;
