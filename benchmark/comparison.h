@@ -7,6 +7,8 @@
 #include <functional>
 #include <vector>
 
+#include "base/median.h"
+
 namespace sfw {
 
 inline volatile double consumed = 0.0;  // keeps the compiler from removing the work
@@ -25,13 +27,6 @@ inline double leastCpuSeconds(int repetitions, const std::function<double()>& wo
     least = std::min(least, cpuSeconds(work));
   }
   return least;
-}
-
-/// @param values  not empty
-inline double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// Runs both in turns and prints a row: the least time of each, and the library's time over ours as

@@ -163,7 +163,8 @@ std::array<LawProducts, kPositionLanes> productsOf(const std::vector<LawTerms>& 
     own = fixed;
     for (std::size_t i = 0; i < lanes.size(); ++i) {
       for (std::size_t j = std::max<std::size_t>(i, 1); j < lanes.size(); ++j) {
-        if (i <= kLawTerms && j >= 1 && !(i == 0 && j == kLawTerms + 1)) {
+        const bool is_fixed = (i == 0 || i == kLawTerms + 1) && j == kLawTerms + 1;
+        if (!is_fixed) {
           own(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = lanes[i][j][lane];
         }
       }

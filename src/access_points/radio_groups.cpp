@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/median.h"
 #include "radio/radio_bins.h"
 
 namespace sfw {
@@ -71,12 +72,6 @@ Common commonOf(const Readings& a, const Readings& b) {
     }
   }
   return common;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// Log density of a normal distribution, up to a constant.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/commands.h"
+#include "cli/far_positions.h"
 #include "cli/recording_options.h"
 #include "files/text.h"
 #include "localization/loop_closure.h"
@@ -80,17 +81,14 @@ void write(const LoadedRecording& recording, const std::string& directory) {
   std::vector<Contact> contacts = mapper.contacts();
   std::vector<AccessPoint> access_points = mapper.accessPoints();
   std::vector<PathPose> path = mapper.poses();
-  for (Reading& reading : readings) {
-    reading.antenna_in_map += recording.offset;
-  }
+  const Position back = -recording.offset;
+  subtract(back, readings);
+  subtract(back, access_points);
   for (Contact& contact : contacts) {
-    contact.point_in_map += recording.offset;
-  }
-  for (AccessPoint& access_point : access_points) {
-    access_point.position += recording.offset;
+    contact.point_in_map = near(contact.point_in_map, back);
   }
   for (PathPose& pose : path) {
-    pose.antenna_in_map += recording.offset;
+    pose.antenna_in_map = near(pose.antenna_in_map, back);
   }
   writeRecording(readings, contacts, access_points, directory, path);
 }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/median.h"
 #include "localization/map_folds.h"
 
 namespace sfw {
@@ -91,10 +92,9 @@ NearestFingerprints::NearestFingerprints(const std::vector<Scan>& mapped, double
       if (errors_m.empty()) {
         continue;
       }
-      const auto middle = errors_m.begin() + static_cast<std::ptrdiff_t>(errors_m.size() / 2);
-      std::nth_element(errors_m.begin(), middle, errors_m.end());
-      if (*middle < least) {
-        least = *middle;
+      const double middle_m = median(std::move(errors_m));
+      if (middle_m < least) {
+        least = middle_m;
         neighbours_ = neighbours;
         weighted_ = weighted;
       }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/median.h"
 #include "localization/particle_filter.h"
 #include "localization/radio_map.h"
 #include "localization/scan.h"
@@ -35,12 +36,6 @@ struct StretchEstimate {
   double variance_m2 = 0.0;                                 ///< of each coordinate
 };
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// The limits were chosen on simulated drives (doc/results/drift.md).
 LoopClosure::Finding findingOf(const LoopClosure& loop) {
   constexpr std::size_t kFewestClosings = 10;
@@ -58,7 +53,7 @@ LoopClosure::Finding findingOf(const LoopClosure& loop) {
   return agrees ? LoopClosure::Finding::kDrift : LoopClosure::Finding::kContradicts;
 }
 
-/// Closes loops block by block. The path is bent after each block.
+/// Closes loops block by block. The path is optimized after each block.
 class LoopCloser {
  public:
   LoopCloser(const std::vector<Reading>& readings, std::int64_t seed, const std::atomic<bool>* stop)
@@ -74,7 +69,7 @@ class LoopCloser {
       loop_.stamps_ns.push_back(stretch.stamp_ns);
       loop_.odometry.push_back(stretch.position);
     }
-    loop_.path = unbentPath(loop_.odometry);
+    loop_.path = odometryTrajectory(loop_.odometry);
     for (const Scan& scan : scans_) {
       stretch_of_.push_back(stretchAt(scan.stamp_ns));
     }
@@ -91,7 +86,7 @@ class LoopCloser {
     const double block_m = std::max(kBlockM, whole_m / kMostBlocks);
     for (double from_m = 2.0 * kBlockM; from_m < whole_m && !isStopped(stop_); from_m += block_m) {
       addClosings(from_m, from_m + block_m);
-      bendUpTo(from_m + block_m);
+      optimizeUpTo(from_m + block_m);
     }
     summarise();
     return std::move(loop_);
@@ -176,17 +171,17 @@ class LoopCloser {
         std::max<std::ptrdiff_t>(std::distance(loop_.stamps_ns.begin(), after) - 1, 0));
   }
 
-  /// Bends the path up to some way; the rest follows as it is.
-  void bendUpTo(double way_m) {
+  /// Optimizes the path up to some way; the rest follows as it is.
+  void optimizeUpTo(double way_m) {
     if (closings_.empty()) {
       return;
     }
     const auto count = std::lower_bound(way_m_.begin(), way_m_.end(), way_m) - way_m_.begin();
     const std::vector<Position> odometry(loop_.odometry.begin(), loop_.odometry.begin() + count);
-    BentPath start = loop_.path;
+    Trajectory start = loop_.path;
     start.positions.resize(odometry.size());
     start.turns_rad.resize(odometry.size());
-    loop_.path = bentPath(odometry, closings_, {}, start);
+    loop_.path = optimizedTrajectory(odometry, closings_, {}, start);
     extend(loop_.odometry, loop_.path);
   }
 
@@ -208,7 +203,7 @@ class LoopCloser {
   LoopClosure::Misfit misfitOf(const std::vector<Position>& positions) const {
     std::vector<double> distances_m;
     std::vector<double> sigmas;
-    for (const PathClosing& closing : closings_) {
+    for (const LoopConstraint& closing : closings_) {
       const double squares = squaredMisfit(closing, positions);
       distances_m.push_back(std::sqrt(squares * closing.variance_m2));
       sigmas.push_back(std::sqrt(squares));
@@ -226,7 +221,7 @@ class LoopCloser {
   const std::atomic<bool>* stop_;
   ParticleFilter::Config filter_config_;
   LoopClosure loop_;
-  std::vector<PathClosing> closings_;
+  std::vector<LoopConstraint> closings_;
 };
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "localization/path_graph.h"
+#include "localization/pose_graph.h"
 #include "structure_from_wifi/types.h"
 
 namespace sfw {
@@ -26,7 +26,7 @@ struct LoopClosure {
   /// The stretches of the way: time of their first reading, by time.
   std::vector<std::int64_t> stamps_ns;
   std::vector<Position> odometry;  ///< their positions as odometry tells them [m]
-  BentPath path;                   ///< their corrected positions, and turns of the odometry
+  Trajectory path;                 ///< their corrected positions, and turns of the odometry
 
   std::size_t closings = 0;  ///< stretches in which the robot was back at a mapped place
 
@@ -37,7 +37,7 @@ struct LoopClosure {
   };
   Misfit before, after;
 
-  /// How much more the path is bent than odometry errs, as of strainOf, for each metre.
+  /// How much more the path bends than odometry errs, as of strainOf, for each metre.
   double strain_per_m = 0.0;
 
   double farthest_moved_m = 0.0;  ///< of a stretch

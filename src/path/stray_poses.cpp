@@ -4,6 +4,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
+
+#include "base/median.h"
 
 namespace sfw {
 namespace {
@@ -49,9 +52,7 @@ double usualSpeed(const std::vector<PathPose>& path) {
   if (speeds.empty()) {
     return 0.0;
   }
-  const auto middle = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() / 2);
-  std::nth_element(speeds.begin(), middle, speeds.end());
-  return *middle;
+  return median(std::move(speeds));
 }
 
 bool isReachable(const PathPose& from, const PathPose& to, double usual_speed_mps) {

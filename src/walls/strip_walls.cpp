@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/median.h"
 #include "grid/axis_rasters.h"
 #include "grid/morphology.h"
 #include "walls/grid_lines.h"
@@ -116,9 +117,7 @@ class StripSearch {
     for (std::int64_t at = stretch.first; at < stretch.end; ++at) {
       sums.push_back(strips_.sum[lines_.cell(stretch.line, at)]);
     }
-    const auto middle = sums.begin() + static_cast<std::ptrdiff_t>(sums.size() / 2);
-    std::nth_element(sums.begin(), middle, sums.end());
-    return *middle;
+    return median(std::move(sums));
   }
 
   /// The likeliest trace of a wall through all lines of a part (Viterbi's algorithm).

@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "base/median.h"
+
 namespace sfw {
 namespace {
 
@@ -53,9 +55,7 @@ class Piece {
     for (const Cell& c : cells_) {
       values.push_back(c.*coordinate);
     }
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return static_cast<double>(*middle);
+    return static_cast<double>(median(std::move(values)));
   }
 
   std::vector<Cell> cells_;

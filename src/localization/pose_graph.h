@@ -8,13 +8,13 @@
 namespace sfw {
 
 /// The positions of a path [m], and by how much the heading of the odometry is wrong at each.
-struct BentPath {
+struct Trajectory {
   std::vector<Position> positions;
   std::vector<double> turns_rad;
 };
 
 /// What says that two positions of a path lie near one another.
-struct PathClosing {
+struct LoopConstraint {
   std::size_t from = 0;                ///< index of the earlier position
   std::size_t to = 0;                  ///< index of the later one
   Position offset = Position::Zero();  ///< from the earlier to the later one [m], map frame
@@ -37,22 +37,23 @@ struct OdometryNoise {
 /// @param odometry  positions that only odometry tells [m]
 /// @param start     where the search begins; as many positions as `odometry`
 /// O(iterations x (positions + closings)) where few closings cross.
-BentPath bentPath(const std::vector<Position>& odometry, const std::vector<PathClosing>& closings,
-                  const OdometryNoise& noise, const BentPath& start);
+Trajectory optimizedTrajectory(const std::vector<Position>& odometry,
+                               const std::vector<LoopConstraint>& closings,
+                               const OdometryNoise& noise, const Trajectory& start);
 
 /// The path of the odometry itself.
-BentPath unbentPath(const std::vector<Position>& odometry);
+Trajectory odometryTrajectory(const std::vector<Position>& odometry);
 
-/// Positions that follow the last of a bent path by odometry alone.
+/// Positions that follow the last of a trajectory by odometry alone.
 /// @param odometry  all positions; those beyond `path` are appended to it
-void extend(const std::vector<Position>& odometry, BentPath& path);
+void extend(const std::vector<Position>& odometry, Trajectory& path);
 
 /// Squared distance of a closing from a path, in units of its variance.
-double squaredMisfit(const PathClosing& closing, const std::vector<Position>& positions);
+double squaredMisfit(const LoopConstraint& closing, const std::vector<Position>& positions);
 
 /// Sum of the squared errors of steps and turns that a path says the odometry made, in units of
 /// their variances.
-double strainOf(const std::vector<Position>& odometry, const BentPath& path,
+double strainOf(const std::vector<Position>& odometry, const Trajectory& path,
                 const OdometryNoise& noise);
 
 }  // namespace sfw

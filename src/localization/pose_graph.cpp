@@ -1,4 +1,4 @@
-#include "localization/path_graph.h"
+#include "localization/pose_graph.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
@@ -71,13 +71,13 @@ StepNoise noiseOf(const Position& step, const OdometryNoise& noise) {
 }
 
 /// The error that a path says a step of the odometry has.
-Position errorOfStep(const std::vector<Position>& odometry, std::size_t i, const BentPath& path) {
+Position errorOfStep(const std::vector<Position>& odometry, std::size_t i, const Trajectory& path) {
   return path.positions[i + 1] - path.positions[i] -
          Eigen::Rotation2Dd(path.turns_rad[i]) * (odometry[i + 1] - odometry[i]);
 }
 
 void addSteps(const std::vector<Position>& odometry, const OdometryNoise& noise,
-              const BentPath& path, NormalEquations& equations) {
+              const Trajectory& path, NormalEquations& equations) {
   for (std::size_t i = 0; i + 1 < odometry.size(); ++i) {
     const Position step = odometry[i + 1] - odometry[i];
     const Position by_turn = Eigen::Rotation2Dd(path.turns_rad[i] + 0.5 * kPi) * step;
@@ -93,9 +93,9 @@ void addSteps(const std::vector<Position>& odometry, const OdometryNoise& noise,
 }
 
 /// @param width  of Cauchy's function, in units of kOutlier
-void addClosings(const std::vector<PathClosing>& closings, double width, const BentPath& path,
+void addClosings(const std::vector<LoopConstraint>& closings, double width, const Trajectory& path,
                  NormalEquations& equations) {
-  for (const PathClosing& closing : closings) {
+  for (const LoopConstraint& closing : closings) {
     const Position error =
         path.positions[closing.to] - path.positions[closing.from] - closing.offset;
     const double weight =
@@ -109,8 +109,8 @@ void addClosings(const std::vector<PathClosing>& closings, double width, const B
 
 /// Takes a step of Gauss and Newton.
 /// @return its largest change [m or rad]
-double improve(const std::vector<Position>& odometry, const std::vector<PathClosing>& closings,
-               const OdometryNoise& noise, double width, BentPath& path) {
+double improve(const std::vector<Position>& odometry, const std::vector<LoopConstraint>& closings,
+               const OdometryNoise& noise, double width, Trajectory& path) {
   NormalEquations equations(odometry.size());
   addSteps(odometry, noise, path, equations);
   addClosings(closings, width, path, equations);
@@ -125,12 +125,12 @@ double improve(const std::vector<Position>& odometry, const std::vector<PathClos
 
 }  // namespace
 
-double squaredMisfit(const PathClosing& closing, const std::vector<Position>& positions) {
+double squaredMisfit(const LoopConstraint& closing, const std::vector<Position>& positions) {
   return (positions[closing.to] - positions[closing.from] - closing.offset).squaredNorm() /
          closing.variance_m2;
 }
 
-double strainOf(const std::vector<Position>& odometry, const BentPath& path,
+double strainOf(const std::vector<Position>& odometry, const Trajectory& path,
                 const OdometryNoise& noise) {
   double strain = 0.0;
   for (std::size_t i = 0; i + 1 < odometry.size(); ++i) {
@@ -142,11 +142,11 @@ double strainOf(const std::vector<Position>& odometry, const BentPath& path,
   return strain;
 }
 
-BentPath unbentPath(const std::vector<Position>& odometry) {
+Trajectory odometryTrajectory(const std::vector<Position>& odometry) {
   return {odometry, std::vector<double>(odometry.size(), 0.0)};
 }
 
-void extend(const std::vector<Position>& odometry, BentPath& path) {
+void extend(const std::vector<Position>& odometry, Trajectory& path) {
   while (path.positions.size() < odometry.size()) {
     const std::size_t next = path.positions.size();
     const double turn_rad = next > 0 ? path.turns_rad.back() : 0.0;
@@ -158,13 +158,14 @@ void extend(const std::vector<Position>& odometry, BentPath& path) {
   }
 }
 
-BentPath bentPath(const std::vector<Position>& odometry, const std::vector<PathClosing>& closings,
-                  const OdometryNoise& noise, const BentPath& start) {
+Trajectory optimizedTrajectory(const std::vector<Position>& odometry,
+                               const std::vector<LoopConstraint>& closings,
+                               const OdometryNoise& noise, const Trajectory& start) {
   constexpr double kWidest = 20.0;
   constexpr double kNarrower = 0.6;
   constexpr int kMostSteps = 30;
   constexpr double kSmallChange = 1e-4;  // [m or rad]
-  BentPath path = start;
+  Trajectory path = start;
   double width = kWidest;
   for (int step = 0; step < kMostSteps; ++step) {
     const double change = improve(odometry, closings, noise, width, path);

@@ -1,4 +1,4 @@
-#include "localization/path_graph.h"
+#include "localization/pose_graph.h"
 
 #include <gtest/gtest.h>
 
@@ -25,8 +25,8 @@ std::vector<Position> twoRounds(double turn_error_rad) {
 }
 
 /// The second round passes the places of the first one.
-std::vector<PathClosing> closings() {
-  std::vector<PathClosing> all;
+std::vector<LoopConstraint> closings() {
+  std::vector<LoopConstraint> all;
   for (std::size_t i = 0; i < kRound; i += 4) {
     all.push_back({i, i + kRound, Position::Zero(), 0.04});
   }
@@ -41,48 +41,49 @@ double largestDistance(const std::vector<Position>& path, const std::vector<Posi
   return largest;
 }
 
-TEST(BentPath, OfClosingsIsTheTrueOne) {
+TEST(Trajectory, OfClosingsIsTheTrueOne) {
   const std::vector<Position> truth = twoRounds(0.0);
   const std::vector<Position> odometry = twoRounds(0.004);
   ASSERT_GT(largestDistance(odometry, truth), 4.0);
-  const BentPath path = bentPath(odometry, closings(), {}, unbentPath(odometry));
+  const Trajectory path =
+      optimizedTrajectory(odometry, closings(), {}, odometryTrajectory(odometry));
   EXPECT_LT(largestDistance(path.positions, truth), 1.5);
-  for (const PathClosing& closing : closings()) {
+  for (const LoopConstraint& closing : closings()) {
     EXPECT_LT(squaredMisfit(closing, path.positions), 1.0);
   }
 }
 
-TEST(BentPath, WithoutClosingsIsThatOfTheOdometry) {
+TEST(Trajectory, WithoutClosingsIsThatOfTheOdometry) {
   const std::vector<Position> odometry = twoRounds(0.004);
-  const BentPath path = bentPath(odometry, {}, {}, unbentPath(odometry));
+  const Trajectory path = optimizedTrajectory(odometry, {}, {}, odometryTrajectory(odometry));
   EXPECT_LT(largestDistance(path.positions, odometry), 1e-9);
   EXPECT_DOUBLE_EQ(strainOf(odometry, path, {}), 0.0);
 }
 
-TEST(BentPath, GivesWrongClosingsLittleWeight) {
+TEST(Trajectory, GivesWrongClosingsLittleWeight) {
   const std::vector<Position> truth = twoRounds(0.0);
-  std::vector<PathClosing> some_wrong = closings();
+  std::vector<LoopConstraint> some_wrong = closings();
   for (std::size_t i = 0; i < some_wrong.size(); i += 5) {
     some_wrong[i].offset = {8.0, 3.0};
   }
-  const BentPath path = bentPath(truth, some_wrong, {}, unbentPath(truth));
+  const Trajectory path = optimizedTrajectory(truth, some_wrong, {}, odometryTrajectory(truth));
   EXPECT_LT(largestDistance(path.positions, truth), 0.3);
 }
 
-TEST(BentPath, IsStrainedByClosingsThatOdometryContradicts) {
+TEST(Trajectory, IsStrainedByClosingsThatOdometryContradicts) {
   const std::vector<Position> odometry = twoRounds(0.0);
-  std::vector<PathClosing> shrunk;
+  std::vector<LoopConstraint> shrunk;
   for (std::size_t i = 0; i < kRound; i += 4) {
     const Position across = odometry[i + kRound / 2] - odometry[i];
     shrunk.push_back({i, i + kRound / 2, 0.7 * across, 1.0});
   }
-  const BentPath path = bentPath(odometry, shrunk, {}, unbentPath(odometry));
+  const Trajectory path = optimizedTrajectory(odometry, shrunk, {}, odometryTrajectory(odometry));
   EXPECT_GT(strainOf(odometry, path, {}), 10.0);
 }
 
 TEST(Extend, ContinuesWithTheLastTurn) {
   const std::vector<Position> odometry{{0.0, 0.0}, {1.0, 0.0}, {2.0, 0.0}};
-  BentPath path{{{0.0, 0.0}, {1.0, 0.0}}, {0.0, 0.5 * kPi}};
+  Trajectory path{{{0.0, 0.0}, {1.0, 0.0}}, {0.0, 0.5 * kPi}};
   extend(odometry, path);
   ASSERT_EQ(path.positions.size(), 3U);
   EXPECT_NEAR((path.positions[2] - Position(1.0, 1.0)).norm(), 0.0, 1e-12);
