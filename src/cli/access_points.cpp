@@ -117,7 +117,7 @@ void runAccessPoints(Options& options) {
   if (!options.parse()) {
     return;
   }
-  recording.check(options);
+  recording.check();
   run(recording, output);
 }
 

@@ -117,7 +117,7 @@ void runCloseLoops(Options& options) {
   if (!options.parse()) {
     return;
   }
-  recording_options.check(options);
+  recording_options.check();
   LoadedRecording recording = loadRecording(recording_options);
   if (recording.mapper.readings().empty()) {
     throw InputError(recording.source +

@@ -8,6 +8,7 @@ namespace sfw {
 /// work.
 /// @throw InputError or std::system_error if it cannot do its work
 void runMap(Options& options);
+void runMerge(Options& options);
 void runAccessPoints(Options& options);
 void runEvaluate(Options& options);
 void runCloseLoops(Options& options);

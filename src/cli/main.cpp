@@ -22,7 +22,7 @@ struct Command {
 };
 
 constexpr Command kCommands[] = {
-    {"map", "Make a map from a recording.", runMap},
+    {"map", "Make a map from a recording, or maps from a list of them.", runMap},
     {"access-points",
      "Find the access points of a recording and print their table, to keep and to correct.",
      runAccessPoints},
@@ -43,6 +43,10 @@ constexpr Command kCommands[] = {
      "Map many simulated recordings and print metrics beside references and ablations. After an "
      "interruption the same command resumes.",
      runBench},
+    {"merge",
+     "Put together what the shards of `sfw map --list` or `sfw bench` made. Checks that all are of "
+     "one work list, and that no row is missing or double.",
+     runMerge},
     {"fit", "Fit the belief model to simulated drives. The setting belief/model names its file.",
      runFit},
     {"wall-drives",

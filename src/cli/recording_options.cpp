@@ -143,17 +143,18 @@ void RecordingOptions::declare(Options& options) {
   options.add("config", "FILE", config, "settings as in config/mapping.yaml");
 }
 
-void RecordingOptions::check(const Options& options) const {
-  if (options.given("readings") == options.given("bag")) {
+void RecordingOptions::check() const {
+  const bool has_bag = !bags.source.files.empty();
+  if (readings.empty() != has_bag) {
     throw InputError("exactly one of --readings and --bag is needed");
   }
-  if (options.given("path") && options.given("bag")) {
+  if (!path.empty() && has_bag) {
     throw InputError("--path goes with --readings: a bag has the path in /tf");
   }
   if (!(scale > 0.0) || !std::isfinite(scale)) {
     throw InputError("--scale must be a number above 0");
   }
-  if (options.given("scale") && options.given("bag")) {
+  if (scale != 1.0 && has_bag) {
     throw InputError("--scale goes with --readings: positions of a bag are in metres");
   }
 }

@@ -21,8 +21,8 @@ struct RecordingOptions {
   /// Declares the options.
   void declare(Options& options);
 
-  /// @throw InputError if options contradict each other. Call it after Options::parse().
-  void check(const Options& options) const;
+  /// @throw InputError if options contradict each other.
+  void check() const;
 };
 
 /// A recording in a mapper.

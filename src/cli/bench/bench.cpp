@@ -4,12 +4,12 @@
 #include <optional>
 #include <thread>
 
+#include "cli/bench/bench_part.h"
 #include "cli/bench/bench_run.h"
 #include "cli/commands.h"
+#include "cli/shards/shard.h"
 #include "cli/warnings.h"
-#include "files/atomic_file.h"
 #include "simulation/radio/noise_level.h"
-#include "structure_from_wifi/input_error.h"
 
 namespace sfw {
 namespace {
@@ -26,6 +26,7 @@ struct BenchOptions {
   std::vector<std::string> methods;
   std::string config;
   std::int64_t workers = std::max(1U, std::thread::hardware_concurrency());
+  std::string shard;
   std::string output;
 };
 
@@ -58,27 +59,14 @@ BenchSuite suiteOf(const BenchOptions& options) {
   return suite;
 }
 
-/// @throw InputError if a recording failed, since the tables lack it.
-void requireNoFailure(const BenchReport& report) {
-  if (report.failures.empty()) {
+void run(const BenchOptions& options, const Shard& shard) {
+  const BenchRun bench{suiteOf(options), options.config, options.workers, shard, options.output};
+  const BenchReport report = runBench(bench);
+  if (bench.shard.count == 1) {
+    finishBench(report, bench.directory);
     return;
   }
-  std::string text = std::to_string(report.failures.size()) + " of " +
-                     std::to_string(report.failures.size() + report.results.size()) +
-                     " recordings failed, and the tables lack them:";
-  for (const BenchFailure& failure : report.failures) {
-    text += "\n" + toText(failure.job) + ": " + failure.reason;
-  }
-  throw InputError(text);
-}
-
-void run(const BenchOptions& options) {
-  const BenchReport report =
-      runBench({suiteOf(options), options.config, options.workers, options.output + "/recordings"});
-  const std::string table = toMarkdown(report);
-  writeAtomically(
-      {{options.output + "/bench.json", toJson(report)}, {options.output + "/bench.md", table}});
-  std::cout << table << std::flush;
+  writePart(partOf(report, bench), bench.shard, bench.directory);
   requireNoFailure(report);
 }
 
@@ -104,10 +92,11 @@ void runBench(Options& options) {
                   "tomography, k_visibility; default: all of them");
   options.add("config", "FILE", bench.config, "settings as in config/mapping.yaml");
   options.addInRange("workers", bench.workers, 1, 256, "threads");
+  addShard(options, bench.shard);
   options.addRequired("output", "DIRECTORY", bench.output,
                       "directory for bench.md, bench.json and the finished recordings");
   if (options.parse()) {
-    run(bench);
+    run(bench, shardOf(options, bench.shard));
   }
 }
 

@@ -10,8 +10,10 @@
 
 #include "cli/bench/bench_store.h"
 #include "cli/evaluate/metrics.h"
+#include "cli/hash.h"
 #include "cli/parallel_for.h"
 #include "cli/progress.h"
+#include "cli/shards/work_lock.h"
 #include "cli/warnings.h"
 #include "evaluation/scoring_suite.h"
 #include "files/text.h"
@@ -81,25 +83,28 @@ std::string mapsOf(const BenchJob& job, const FloorPlan& plan, const SharedInput
   return maps.dump();
 }
 
-/// The recordings of a run, mapped by several threads.
+/// The recordings of a shard, mapped by several threads.
 class Bench {
  public:
   explicit Bench(const BenchRun& run)
       : jobs_(jobsOf(run.suite)),
         shared_(sharedInputsOf(run)),
-        store_(run.directory),
-        maps_(jobs_.size()),
-        reasons_(jobs_.size()),
-        progress_(jobs_.size()) {}
+        rows_(run.shard.rowsOf(jobs_.size())),
+        store_(run.directory + "/recordings"),
+        lock_(run.directory, run.shard, [this] { store_.removeUnfinished(); }),
+        maps_(rows_.size()),
+        reasons_(rows_.size()),
+        progress_(rows_.size()) {}
 
   BenchReport report(std::int64_t workers) {
-    parallelFor(jobs_.size(), workers, [this](std::size_t i) { work(i); });
+    parallelFor(rows_.size(), workers, [this](std::size_t i) { work(i); });
     BenchReport report;
-    for (std::size_t i = 0; i < jobs_.size(); ++i) {
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const BenchJob& job = jobs_[rows_[i]];
       if (reasons_[i].empty()) {
-        report.results.push_back({jobs_[i], std::move(maps_[i])});
+        report.results.push_back({rows_[i], job, std::move(maps_[i])});
       } else {
-        report.failures.push_back({jobs_[i], reasons_[i]});
+        report.failures.push_back({rows_[i], job, reasons_[i]});
       }
     }
     return report;
@@ -123,12 +128,13 @@ class Bench {
 
   /// @return whether the result was there already
   bool runJob(std::size_t i) {
-    const FloorPlan plan = planOf(jobs_[i].plan);
-    const std::string key = keyOf(jobs_[i], plan, shared_);
+    const BenchJob& job = jobs_[rows_[i]];
+    const FloorPlan plan = planOf(job.plan);
+    const std::string key = keyOf(job, plan, shared_);
     std::optional<std::string> maps = store_.find(key);
     const bool at_once = maps.has_value();
     if (!at_once) {
-      maps = mapsOf(jobs_[i], plan, shared_);
+      maps = mapsOf(job, plan, shared_);
       store_.save(key, *maps);
     }
     maps_[i] = Json::parse(*maps);  // new results too, so that they equal stored ones
@@ -137,7 +143,9 @@ class Bench {
 
   const std::vector<BenchJob> jobs_;
   const SharedInputs shared_;
+  const std::vector<std::size_t> rows_;  // places of the shard's jobs
   const BenchStore store_;
+  const WorkLock lock_;
   std::vector<Json> maps_;
   std::vector<std::string> reasons_;  // why a job failed; empty if it did not
   std::mutex mutex_;                  // of the progress

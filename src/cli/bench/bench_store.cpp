@@ -1,10 +1,10 @@
 #include "cli/bench/bench_store.h"
 
 #include <array>
-#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "cli/hash.h"
 #include "files/atomic_file.h"
 #include "files/text.h"
 
@@ -22,14 +22,6 @@ std::string bytesOf(const T* data, std::size_t count) {
 
 }  // namespace
 
-std::uint64_t hashOf(const std::string& bytes, std::uint64_t seed) {
-  constexpr std::uint64_t kPrime = 0x100000001b3ULL;
-  for (const char byte : bytes) {
-    seed = (seed ^ static_cast<unsigned char>(byte)) * kPrime;
-  }
-  return seed;
-}
-
 std::uint64_t hashOf(const FloorPlan& plan) {
   const GridGeometry& g = plan.geometry;
   const std::array<double, 3> lengths{g.resolution(), g.origin().x(), g.origin().y()};
@@ -39,11 +31,12 @@ std::uint64_t hashOf(const FloorPlan& plan) {
   return hashOf(bytesOf(plan.cells.data(), plan.cells.size()), of_geometry);
 }
 
-std::uint64_t hashOfProgram() { return hashOf(readFile("/proc/self/exe")); }
-
 BenchStore::BenchStore(const std::string& directory) : directory_(directory) {
   makeDirectories(directory);
-  for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
+}
+
+void BenchStore::removeUnfinished() const {
+  for (const fs::directory_entry& entry : fs::directory_iterator(directory_)) {
     if (entry.path().extension() != kEnding &&
         entry.path().stem().extension() == kEnding) {  // 0123.json.XXXXXX
       fs::remove(entry.path());
@@ -52,9 +45,7 @@ BenchStore::BenchStore(const std::string& directory) : directory_(directory) {
 }
 
 std::string BenchStore::fileOf(const std::string& key) const {
-  char name[17];
-  std::snprintf(name, sizeof name, "%016llx", static_cast<unsigned long long>(hashOf(key)));
-  return directory_ + "/" + name + kEnding;
+  return directory_ + '/' + hexText(hashOf(key)) + kEnding;
 }
 
 std::optional<std::string> BenchStore::find(const std::string& key) const {

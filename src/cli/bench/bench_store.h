@@ -8,24 +8,19 @@
 
 namespace sfw {
 
-/// The FNV-1a hash of 64 bits. `seed` continues an earlier hash.
-std::uint64_t hashOf(const std::string& bytes, std::uint64_t seed = 0xcbf29ce484222325ULL);
-
 /// The hash of a plan's cells and geometry, independent of its file.
 std::uint64_t hashOf(const FloorPlan& plan);
-
-/// The hash of the running program, which contains the whole mapper. Another build may give other
-/// metrics.
-std::uint64_t hashOfProgram();
 
 /// Results of a benchmark, one file each, so that an interrupted run can resume.
 ///
 /// Only a key of exactly the same text finds a result. Safe to use from several threads.
 class BenchStore {
  public:
-  /// Makes the directory and removes incomplete files of a killed run.
-  /// @throw std::system_error naming it
+  /// Makes the directory. @throw std::system_error naming it
   explicit BenchStore(const std::string& directory);
+
+  /// Removes incomplete files of killed runs. Call it only while no other run uses the directory.
+  void removeUnfinished() const;
 
   /// The stored result of a key; nothing if there is none, or if its file is damaged.
   std::optional<std::string> find(const std::string& key) const;

@@ -93,11 +93,7 @@ std::string line(const Row& row) {
   return text + "\n";
 }
 
-Json toJson(const BenchJob& job) {
-  return {{"plan", job.plan}, {"noise", job.level}, {"path", job.path}, {"seed", job.seed}};
-}
-
-Json toJson(const Row& row) {
+Json summaryOf(const Row& row) {
   Json json{{"path", row.path}, {"noise", row.level}, {"made_by", row.made_by}};
   for (const auto& [name, sample] : row.metrics) {
     json["metrics"][name] = sample.count() == 0 ? Json()
@@ -109,6 +105,10 @@ Json toJson(const Row& row) {
 }
 
 }  // namespace
+
+Json toJson(const BenchJob& job) {
+  return {{"plan", job.plan}, {"noise", job.level}, {"path", job.path}, {"seed", job.seed}};
+}
 
 std::string toMarkdown(const BenchReport& report) {
   std::string text;
@@ -136,7 +136,7 @@ std::string toMarkdown(const BenchReport& report) {
 std::string toJson(const BenchReport& report) {
   Json json{{"summary", Json::array()}, {"recordings", Json::array()}, {"failed", Json::array()}};
   for (const Row& row : rowsOf(report.results)) {
-    json["summary"].push_back(toJson(row));
+    json["summary"].push_back(summaryOf(row));
   }
   for (const BenchResult& result : report.results) {
     json["recordings"].push_back(toJson(result.job));

@@ -1,13 +1,12 @@
+#include "cli/map/made_map.h"
+
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <memory>
 #include <sstream>
 
-#include "cli/commands.h"
-#include "cli/recording_options.h"
 #include "cli/warnings.h"
 #include "output/moved.h"
 #include "structure_from_wifi/data_checks.h"
@@ -40,8 +39,9 @@ void reportEstimates(const std::string& source, const std::vector<AccessPointSum
   }
 }
 
-void run(const RecordingOptions& options, const std::string& output) {
-  const auto start = std::chrono::steady_clock::now();
+}  // namespace
+
+void makeMap(const RecordingOptions& options, const std::string& directory) {
   const LoadedRecording recording = loadRecording(options);
   const std::shared_ptr<const Snapshot> made = recording.mapper.infer();
   const DataFindings findings = moved(DataChecker().checkAll(*made), recording.offset);
@@ -56,24 +56,7 @@ void run(const RecordingOptions& options, const std::string& output) {
                      (recording.has_table ? "of an access point in " + recording.table + " " : "") +
                      "can be used; the warnings above give the reasons");
   }
-  writeMapFiles(snapshot, recording.config, output, findings);
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  std::cerr << "sfw: wrote the map to " << output << " in "
-            << static_cast<int>(elapsed.count() * 1000) << " ms\n";
-}
-
-}  // namespace
-
-void runMap(Options& options) {
-  RecordingOptions recording;
-  std::string output;
-  recording.declare(options);
-  options.addRequired("output", "DIRECTORY", output, "directory for the files of the map");
-  if (!options.parse()) {
-    return;
-  }
-  recording.check(options);
-  run(recording, output);
+  writeMapFiles(snapshot, recording.config, directory, findings);
 }
 
 }  // namespace sfw
