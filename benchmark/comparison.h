@@ -1,22 +1,26 @@
 #pragma once
 
+#include <benchmark/benchmark.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
 #include <ctime>
+#include <exception>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "base/median.h"
 
 namespace sfw {
 
-inline volatile double consumed = 0.0;  // keeps the compiler from removing the work
-
-/// CPU time of one call [s].
+/// CPU time of one call [s], by all threads. The call returns a number that depends on all of its
+/// work.
 inline double cpuSeconds(const std::function<double()>& work) {
   const std::clock_t start = std::clock();
-  consumed = consumed + work();
+  double result = work();
+  benchmark::DoNotOptimize(result);
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
@@ -29,24 +33,74 @@ inline double leastCpuSeconds(int repetitions, const std::function<double()>& wo
   return least;
 }
 
-/// Runs both in turns and prints a row: the least time of each, and the library's time over ours as
-/// ratio of the least times, median and least ratio.
-/// @param own,library  return a number that depends on all of their work
-inline void compare(const char* part, std::size_t size, const std::function<double()>& own,
-                    const std::function<double()>& library) {
-  std::vector<double> own_s, library_s, ratios;
-  constexpr int kRepetitions = 15;
-  for (int i = 0; i < kRepetitions; ++i) {
-    own_s.push_back(cpuSeconds(own));
-    library_s.push_back(cpuSeconds(library));
-    ratios.push_back(library_s.back() / own_s.back());
+inline double leastOf(const std::vector<double>& values) {
+  return *std::min_element(values.begin(), values.end());
+}
+
+/// CPU times of two pieces of work that run by turns.
+struct Turns {
+  std::vector<double> own_s;
+  std::vector<double> reference_s;
+};
+
+/// Runs both by turns. The time of the benchmark is that of our own work alone.
+inline Turns takeTurns(benchmark::State& state, const std::function<double()>& own,
+                       const std::function<double()>& reference) {
+  Turns turns;
+  while (state.KeepRunning()) {
+    turns.own_s.push_back(cpuSeconds(own));
+    state.PauseTiming();
+    turns.reference_s.push_back(cpuSeconds(reference));
+    state.ResumeTiming();
   }
-  const double own_best_s = *std::min_element(own_s.begin(), own_s.end());
-  const double library_best_s = *std::min_element(library_s.begin(), library_s.end());
-  std::printf("| %s | %zu | %.2f | %.2f | %.2f | %.2f | %.2f |\n", part, size, 1e3 * own_best_s,
-              1e3 * library_best_s, library_best_s / own_best_s, median(ratios),
-              *std::min_element(ratios.begin(), ratios.end()));
-  std::fflush(stdout);
+  return turns;
+}
+
+/// Our own work, a reference, and the number of items that each works on.
+struct Pair {
+  std::size_t items;
+  std::function<double()> own;
+  std::function<double()> reference;
+};
+
+/// Declares the comparison of a pair, 15 turns each. Counters: the least times, and the reference's
+/// time over ours as ratio of these, median of the turns and least.
+/// @param prepare  makes the pair; called once, when the benchmark runs
+inline void declareComparison(const std::string& name, const std::function<Pair()>& prepare) {
+  constexpr int kTurns = 15;
+  benchmark::RegisterBenchmark(name.c_str(),
+                               [prepare](benchmark::State& state) {
+                                 const Pair pair = prepare();
+                                 const Turns turns = takeTurns(state, pair.own, pair.reference);
+                                 std::vector<double> ratios;
+                                 for (std::size_t i = 0; i < turns.own_s.size(); ++i) {
+                                   ratios.push_back(turns.reference_s[i] / turns.own_s[i]);
+                                 }
+                                 state.counters["items"] = static_cast<double>(pair.items);
+                                 state.counters["own_ms"] = 1e3 * leastOf(turns.own_s);
+                                 state.counters["reference_ms"] = 1e3 * leastOf(turns.reference_s);
+                                 state.counters["ratio"] =
+                                     leastOf(turns.reference_s) / leastOf(turns.own_s);
+                                 state.counters["ratio_median"] = median(ratios);
+                                 state.counters["ratio_least"] = leastOf(ratios);
+                               })
+      ->Iterations(kTurns)
+      ->Unit(benchmark::kMillisecond);
+}
+
+/// The main function of a benchmark.
+/// @param declare  registers the benchmarks; gets the arguments that are not Google Benchmark's
+inline int runBenchmarks(int count, char** arguments,
+                         const std::function<void(const std::vector<std::string>&)>& declare) {
+  try {
+    benchmark::Initialize(&count, arguments);
+    declare({arguments + 1, arguments + count});
+    benchmark::RunSpecifiedBenchmarks();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s: %s\n", arguments[0], error.what());
+    return 1;
+  }
+  return 0;
 }
 
 }  // namespace sfw

@@ -10,9 +10,9 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <random>
 #include <string>
 #include <vector>
@@ -77,17 +77,37 @@ double plainSum(const std::string& file) {
   return sum;
 }
 
-void compareReading() {
-  const std::string file =
-      (std::filesystem::temp_directory_path() / "sfw_files_benchmark.csv").string();
-  std::ofstream(file) << readingsCsv(manyReadings());
-  compare(
-      "CSV of readings, from_chars", kReadings,
-      [&] { return readReadings(file).readings.back().rssi_dbm; }, [&] { return plainSum(file); });
-  std::filesystem::remove(file);
+/// The table of readings in a temporary file.
+class ReadingsFile {
+ public:
+  ReadingsFile()
+      : name_((std::filesystem::temp_directory_path() / "sfw_files_benchmark.csv").string()) {
+    std::ofstream(name_) << readingsCsv(manyReadings());
+  }
+  ReadingsFile(const ReadingsFile&) = delete;
+  ReadingsFile& operator=(const ReadingsFile&) = delete;
+  ~ReadingsFile() { std::remove(name_.c_str()); }
+
+  const std::string& name() const { return name_; }
+
+ private:
+  std::string name_;
+};
+
+Pair reading() {
+  const auto file = std::make_shared<const ReadingsFile>();
+  return {kReadings, [=] { return readReadings(file->name()).readings.back().rssi_dbm; },
+          [=] { return plainSum(file->name()); }};
 }
 
-void compareGrids() {
+/// A map, and as many values that a table of 256 entries turns into a grid.
+struct Grids {
+  BeliefMap belief;
+  std::vector<std::uint8_t> values;
+  std::vector<std::int8_t> table = std::vector<std::int8_t>(256);
+};
+
+Grids randomGrids() {
   Grid<float> occupied(GridGeometry(0.05, {0.0, 0.0}, kSide, kSide));
   std::mt19937 random(6);
   std::vector<std::uint8_t> values;
@@ -95,36 +115,35 @@ void compareGrids() {
     p = static_cast<float>(random() % 1001) / 1000.0F;
     values.push_back(static_cast<std::uint8_t>(random()));
   }
-  const BeliefMap belief(occupied, {});
-  std::vector<std::int8_t> table(256);
-  const auto plain = [&] {
-    std::vector<std::int8_t> data(values.size());
-    for (std::size_t i = 0; i < data.size(); ++i) {
-      data[i] = table[values[i]];
-    }
-    return static_cast<double>(data.back());
-  };
-  compare(
-      "trinary grid, look-up", values.size(),
-      [&] { return static_cast<double>(toTrinaryGrid(belief, {}).data.back()); }, plain);
-  compare(
-      "probability grid, look-up", values.size(),
-      [&] { return static_cast<double>(toProbabilityGrid(belief, {}).data.back()); }, plain);
+  return {BeliefMap(occupied, {}), values};
+}
+
+/// @param convert  turns a map into a message
+template <class Convert>
+Pair grids(Convert convert) {
+  const auto made = std::make_shared<const Grids>(randomGrids());
+  return {made->values.size(),
+          [=] { return static_cast<double>(convert(made->belief).data.back()); },
+          [=] {
+            std::vector<std::int8_t> data(made->values.size());
+            for (std::size_t i = 0; i < data.size(); ++i) {
+              data[i] = made->table[made->values[i]];
+            }
+            return static_cast<double>(data.back());
+          }};
 }
 
 }  // namespace
 }  // namespace sfw
 
-int main() {
-  try {
-    std::puts(
-        "| part, reference | items | own [ms] | reference [ms] | ratio | median | least |\n"
-        "|---|---|---|---|---|---|---|");
-    sfw::compareReading();
-    sfw::compareGrids();
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "files_benchmark: %s\n", error.what());
-    return 1;
-  }
-  return 0;
+int main(int count, char** arguments) {
+  return sfw::runBenchmarks(count, arguments, [](const auto& /*none*/) {
+    sfw::declareComparison("CSV of readings/from_chars", sfw::reading);
+    sfw::declareComparison("trinary grid/look-up", [] {
+      return sfw::grids([](const sfw::BeliefMap& map) { return toTrinaryGrid(map, {}); });
+    });
+    sfw::declareComparison("probability grid/look-up", [] {
+      return sfw::grids([](const sfw::BeliefMap& map) { return toProbabilityGrid(map, {}); });
+    });
+  });
 }

@@ -13,10 +13,10 @@
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <cmath>
-#include <cstdio>
-#include <exception>
 #include <iterator>
+#include <memory>
 #include <random>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -84,41 +84,48 @@ Crossings crossings(const Drive& drive) {
   return {std::move(choice), unknowns.size()};
 }
 
-/// The work of one iteration: sums over the rays, and sums over the pieces of wall.
-void compareSums(const Drive& drive) {
-  constexpr int kIterations = 120;
-  const Crossings crossed = crossings(drive);
-  const std::size_t rays = drive.positions.size();
-  const SparseSums along(rays, crossed.unknowns, crossed.choice);
-  const SparseSums spread(crossed.unknowns, rays, SparseSums::transposed(crossed.choice));
-
+/// The sums over rays by both, and the vectors that they fill.
+struct Sums {
   using Matrix = Eigen::SparseMatrix<float, Eigen::RowMajor>;
-  std::vector<Eigen::Triplet<float>> ones;
-  for (std::size_t i = 0; i < crossed.choice.sum.size(); ++i) {
-    ones.emplace_back(crossed.choice.sum[i], crossed.choice.term[i], 1.0F);
-  }
-  Matrix matrix(static_cast<Eigen::Index>(rays), static_cast<Eigen::Index>(crossed.unknowns));
-  matrix.setFromTriplets(ones.begin(), ones.end());
-  const Matrix transposed = matrix.transpose();
 
-  const Eigen::VectorXf loss = Eigen::VectorXf::Ones(matrix.cols());
-  Eigen::VectorXf sums, gradient;
-  compare(
-      "sums over rays, 120 iterations", rays,
-      [&] {
-        for (int i = 0; i < kIterations; ++i) {
-          along.of(loss, sums);
-          spread.of(sums, gradient);
-        }
-        return static_cast<double>(gradient.sum());
-      },
-      [&] {
-        for (int i = 0; i < kIterations; ++i) {
-          sums.noalias() = matrix * loss;
-          gradient.noalias() = transposed * sums;
-        }
-        return static_cast<double>(gradient.sum());
-      });
+  explicit Sums(const Crossings& crossed, std::size_t rays)
+      : along(rays, crossed.unknowns, crossed.choice),
+        spread(crossed.unknowns, rays, SparseSums::transposed(crossed.choice)),
+        matrix(static_cast<Eigen::Index>(rays), static_cast<Eigen::Index>(crossed.unknowns)),
+        loss(Eigen::VectorXf::Ones(matrix.cols())) {
+    std::vector<Eigen::Triplet<float>> ones;
+    for (std::size_t i = 0; i < crossed.choice.sum.size(); ++i) {
+      ones.emplace_back(crossed.choice.sum[i], crossed.choice.term[i], 1.0F);
+    }
+    matrix.setFromTriplets(ones.begin(), ones.end());
+    transposed = matrix.transpose();
+  }
+
+  SparseSums along, spread;
+  Matrix matrix, transposed;
+  Eigen::VectorXf loss, sums, gradient;
+};
+
+/// The work of some iterations: sums over the rays, and sums over the pieces of wall.
+Pair sumsOverRays(const Drive& drive) {
+  constexpr int kIterations = 120;
+  const std::size_t rays = drive.positions.size();
+  const auto both = std::make_shared<Sums>(crossings(drive), rays);
+  return {rays,
+          [=] {
+            for (int i = 0; i < kIterations; ++i) {
+              both->along.of(both->loss, both->sums);
+              both->spread.of(both->sums, both->gradient);
+            }
+            return static_cast<double>(both->gradient.sum());
+          },
+          [=] {
+            for (int i = 0; i < kIterations; ++i) {
+              both->sums.noalias() = both->matrix * both->loss;
+              both->gradient.noalias() = both->transposed * both->sums;
+            }
+            return static_cast<double>(both->gradient.sum());
+          }};
 }
 
 std::vector<int> shuffled(std::size_t count) {
@@ -202,14 +209,13 @@ double weightsByEigen(const std::vector<Position>& positions,
   return sum;
 }
 
-void compareRows(const Drive& drive) {
-  const std::vector<std::vector<int>> rows = rowsOf(drive.positions);
+Pair rowsOfFactor(const Drive& drive) {
+  const auto rows = std::make_shared<const std::vector<std::vector<int>>>(rowsOf(drive.positions));
   const SignalCovariance model;
   const double own_db2 = 9.0 + model.nugget_db2;
-  compare(
-      "rows of Vecchia's factor", rows.size(),
-      [&] { return weightsInLanes(drive.positions, rows, model, own_db2); },
-      [&] { return weightsByEigen(drive.positions, rows, model, own_db2); });
+  const std::vector<Position>& at = drive.positions;
+  return {rows->size(), [=] { return weightsInLanes(at, *rows, model, own_db2); },
+          [=] { return weightsByEigen(at, *rows, model, own_db2); }};
 }
 
 double nearestByCells(const std::vector<Position>& positions, const std::vector<int>& order) {
@@ -246,32 +252,30 @@ double nearestByTree(const std::vector<Position>& positions, const std::vector<i
   return sum;
 }
 
-void compareNearest(const Drive& drive) {
+Pair nearestSoFar(const Drive& drive) {
   const std::vector<int> order = shuffled(drive.positions.size());
-  compare(
-      "12 nearest among positions so far", order.size(),
-      [&] { return nearestByCells(drive.positions, order); },
-      [&] { return nearestByTree(drive.positions, order); });
+  const std::vector<Position>& at = drive.positions;
+  return {order.size(), [=] { return nearestByCells(at, order); },
+          [=] { return nearestByTree(at, order); }};
+}
+
+void declare(std::size_t positions) {
+  const auto add = [&](const std::string& part, Pair (*pair)(const Drive&)) {
+    declareComparison(part + '/' + std::to_string(positions),
+                      [=] { return pair(officeDrive(positions)); });
+  };
+  add("sums over rays, 120 iterations/Eigen's sparse product", sumsOverRays);
+  add("rows of Vecchia's factor/Eigen's LLT", rowsOfFactor);
+  add("12 nearest among positions so far/R-tree", nearestSoFar);
 }
 
 }  // namespace
 }  // namespace sfw
 
-int main() {
-  try {
-    std::puts(
-        "| part | positions | own [ms] | library [ms] | library : own, least times | median | "
-        "least |"
-        "\n|---|---|---|---|---|---|---|");
-    for (const std::size_t count : {500, 2000, 4500}) {
-      const sfw::Drive drive = sfw::officeDrive(count);
-      sfw::compareSums(drive);
-      sfw::compareRows(drive);
-      sfw::compareNearest(drive);
+int main(int count, char** arguments) {
+  return sfw::runBenchmarks(count, arguments, [](const auto& /*none*/) {
+    for (const std::size_t positions : {500, 2000, 4500}) {
+      sfw::declare(positions);
     }
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "own_against_library_benchmark: %s\n", error.what());
-    return 1;
-  }
-  return 0;
+  });
 }

@@ -12,11 +12,11 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <atomic>
-#include <cstdio>
-#include <exception>
 #include <functional>
 #include <limits>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "belief/free_probability.h"
@@ -201,7 +201,8 @@ Config configOfStages() {
   return config;
 }
 
-void measure(double minutes, const Mapper& mapper, const std::vector<AccessPoint>& access_points) {
+void measure(benchmark::State& state, const Mapper& mapper,
+             const std::vector<AccessPoint>& access_points) {
   const Config config = configOfStages();
   const std::atomic<bool> never{false};
   const DriveData drive = mappedDrive(mapper, access_points);
@@ -222,53 +223,72 @@ void measure(double minutes, const Mapper& mapper, const std::vector<AccessPoint
   });
   const double network = networkSeconds(described, config, never);
   const std::shared_ptr<const Snapshot> snapshot = mapper.infer();
-  const double inference = seconds([&] {
-    return static_cast<double>(mapper.infer()->belief.occupied({0, 0}));
-  });
   const double sorting = seconds([&] { return mapper.extent().min().x(); });
-  const double publishing = seconds([&] { return publishedBytes(*snapshot); });
   const double octomaps = seconds([&] { return octomapBytes(*snapshot); });
-  // While access points are due, a refresh checks them too.
-  const double checks = seconds([&] {
-    return static_cast<double>(DataChecker().checkChanged(*snapshot, never).fits.size());
-  });
-  const double refresh = inference + checks + publishing;
+  std::vector<double> inference, checks, publishing;
+  while (state.KeepRunning()) {
+    inference.push_back(cpuSeconds([&] {
+      return static_cast<double>(mapper.infer()->belief.occupied({0, 0}));
+    }));
+    // While access points are due, a refresh checks them too.
+    checks.push_back(cpuSeconds([&] {
+      return static_cast<double>(DataChecker().checkChanged(*snapshot, never).fits.size());
+    }));
+    publishing.push_back(cpuSeconds([&] { return publishedBytes(*snapshot); }));
+  }
+  const double refresh = leastOf(inference) + leastOf(checks) + leastOf(publishing);
   const double plain = plainSeconds(described.access_points, walls);
-  std::printf(
-      "| %.0f min | %zu | %zu | %zu | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f "
-      "| %.3f | %.1f | %.1f |\n",
-      minutes, mapper.readings().size(), countBins(described.access_points),
-      described.cells.cells.size(), precision, wall_field, features, network,
-      inference - wall_field - features - network, sorting, checks, publishing, refresh, octomaps,
-      plain, plain / refresh);
+  const std::pair<const char*, double> counters[] = {
+      {"readings", static_cast<double>(mapper.readings().size())},
+      {"bins", static_cast<double>(countBins(described.access_points))},
+      {"cells", static_cast<double>(described.cells.cells.size())},
+      {"precisions_s", precision},
+      {"walls_with_these_s", wall_field},
+      {"features_s", features},
+      {"network_s", network},
+      {"rest_s", leastOf(inference) - wall_field - features - network},
+      {"sorting_s", sorting},
+      {"checks_s", leastOf(checks)},
+      {"publishing_s", leastOf(publishing)},
+      {"refresh_s", refresh},
+      {"octomaps_s", octomaps},
+      {"plain_s", plain},
+      {"plain_per_refresh", plain / refresh}};
+  for (const auto& [name, value] : counters) {
+    state.counters[name] = value;
+  }
+}
+
+/// The mapper after the first minutes of a recording.
+Mapper mapperAfter(double minutes, const Scenario& scenario, const std::vector<Reading>& readings) {
+  Mapper mapper(Config(), scenario.access_points);
+  for (const Reading& reading : readings) {
+    if (static_cast<double>(reading.stamp_ns) * 1e-9 <
+        scenario.recording.start_s + minutes * kMinute) {
+      mapper.insert(reading);
+    }
+  }
+  return mapper;
 }
 
 }  // namespace
 }  // namespace sfw
 
-int main() {
-  try {
-    const sfw::Scenario scenario = sfw::longDrive();
-    const sfw::SimulatedRecording recording = sfw::simulate(scenario);
-    std::puts(
-        "| drive | readings | bins | cells | precisions [s] | walls, with these [s] |"
-        " features [s] | network [s] | rest, with sorting [s] | sorting [s] | checks [s] |"
-        " publishing [s] |"
-        " refresh [s] | OctoMaps, if subscribed [s] | plain [s] | plain : refresh |\n"
-        "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
-    for (const double minutes : {5.0, 10.0, 30.0, 60.0}) {
-      sfw::Mapper mapper(sfw::Config(), scenario.access_points);
-      for (const sfw::Reading& reading : recording.readings) {
-        if (static_cast<double>(reading.stamp_ns) * 1e-9 <
-            scenario.recording.start_s + minutes * sfw::kMinute) {
-          mapper.insert(reading);
-        }
-      }
-      sfw::measure(minutes, mapper, scenario.access_points);
+int main(int count, char** arguments) {
+  return sfw::runBenchmarks(count, arguments, [](const auto& /*none*/) {
+    const auto scenario = std::make_shared<const sfw::Scenario>(sfw::longDrive());
+    const auto recording =
+        std::make_shared<const sfw::SimulatedRecording>(sfw::simulate(*scenario));
+    for (const int minutes : {5, 10, 30, 60}) {
+      const std::string name = "refresh/" + std::to_string(minutes) + " min";
+      benchmark::RegisterBenchmark(
+          name.c_str(),
+          [=](benchmark::State& state) {
+            sfw::measure(state, sfw::mapperAfter(minutes, *scenario, recording->readings),
+                         scenario->access_points);
+          })
+          ->Iterations(sfw::kRepetitions)
+          ->Unit(benchmark::kMillisecond);
     }
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "refresh_benchmark: %s\n", error.what());
-    return 1;
-  }
-  return 0;
+  });
 }

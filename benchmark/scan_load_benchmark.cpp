@@ -2,19 +2,21 @@
 // map of 1000 x 1000 cells.
 //
 // Usage: scan_load_benchmark
-// Prints, after 1, 2 and 5 minutes of driving, the share of a core that takes the readings in
-// (conversion, transform, insertion), and the CPU time of one map. A map is made at most once a
+// Prints, after 1, 2 and 5 minutes of driving, the CPU time of one map, and the share of a core
+// that takes the readings in (conversion, transform, insertion). A map is made at most once a
 // second, in one thread, so the node needs the first share and at most one core more.
 
 #include <structure_from_wifi/WifiScan.h>
 #include <tf2/buffer_core.h>
 
+#include <atomic>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
-#include <exception>
+#include <memory>
+#include <string>
 #include <vector>
 
+#include "comparison.h"
 #include "ros/conversion/input_messages.h"
 #include "ros/mapping/observation_queue.h"
 #include "ros/mapping/shared_mapper.h"
@@ -28,8 +30,6 @@ constexpr int kAccessPoints = 50;
 constexpr double kEdgeM = 46.0;  // with margins and whole steps of growth: 1000 cells of 0.05 m
 constexpr double kSpeed = 0.5;   // [m/s]
 constexpr double kStart = 1000.0;
-
-double cpuSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// Up and down, 2 m from lane to lane.
 Position positionAt(double seconds) {
@@ -81,50 +81,49 @@ geometry_msgs::TransformStamped poseAt(double seconds) {
   return pose;
 }
 
-void run() {
+/// Takes in the scans of some minutes and makes one map, whose time is that of the benchmark.
+void measure(benchmark::State& state, int minutes) {
   const std::vector<AccessPoint> access_points = accessPoints();
   const RosSettings settings;
   SharedMapper mapper(Config(), access_points, jumpTolerance(settings));
   ObservationQueue queue(settings);
   tf2::BufferCore transforms(ros::Duration(settings.tf_cache_s));
   const std::atomic<bool> never{false};
-  std::puts(
-      "| drive | readings | cells | intake, share of a core | one map [s] "
-      "|\n|---|---|---|---|---|");
-  int scans = 0;
   double intake = 0.0;
-  for (const int minutes : {1, 2, 5}) {
-    for (; scans < 60 * minutes * kScansPerSecond; ++scans) {
-      const double seconds = static_cast<double>(scans) / kScansPerSecond;
-      const structure_from_wifi::WifiScan scan = scanAt(seconds, access_points);
-      const AnyMessage message = anyMessageOf(scan);
-      transforms.setTransform(poseAt(seconds), "benchmark");
-      const double start = cpuSeconds();
+  for (int scans = 0; scans < 60 * minutes * kScansPerSecond; ++scans) {
+    const double seconds = static_cast<double>(scans) / kScansPerSecond;
+    const structure_from_wifi::WifiScan scan = scanAt(seconds, access_points);
+    const AnyMessage message = anyMessageOf(scan);
+    transforms.setTransform(poseAt(seconds), "benchmark");
+    intake += cpuSeconds([&] {
       queue.push(convertReadings(message, {}).observations);
       queue.locate(transforms, scan.header.stamp,
                    [&](const LocatedObservation& observation) { mapper.insert(observation); });
-      intake += cpuSeconds() - start;
-    }
-    const double start = cpuSeconds();
-    const auto snapshot = mapper.corrected({}).mapper.infer(never);
-    const double one_map = cpuSeconds() - start;
-    const GridGeometry& geometry = snapshot->belief.geometry();
-    std::printf("| %d min | %zu | %ld x %ld | %.4f | %.2f |\n", minutes, mapper.readings(),
-                static_cast<long>(geometry.width()), static_cast<long>(geometry.height()),
-                intake / (60.0 * minutes), one_map);
-    std::fflush(stdout);
+      return 0.0;
+    });
   }
+  std::shared_ptr<const Snapshot> snapshot;
+  while (state.KeepRunning()) {
+    snapshot = mapper.corrected({}).mapper.infer(never);
+  }
+  const GridGeometry& geometry = snapshot->belief.geometry();
+  state.counters["readings"] = static_cast<double>(mapper.readings());
+  state.counters["width"] = static_cast<double>(geometry.width());
+  state.counters["height"] = static_cast<double>(geometry.height());
+  state.counters["intake_share_of_core"] = intake / (60.0 * minutes);
 }
 
 }  // namespace
 }  // namespace sfw
 
-int main() {
-  try {
-    sfw::run();
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "scan_load_benchmark: %s\n", error.what());
-    return 1;
-  }
-  return 0;
+int main(int count, char** arguments) {
+  return sfw::runBenchmarks(count, arguments, [](const auto& /*none*/) {
+    for (const int minutes : {1, 2, 5}) {
+      const std::string name = "map/after " + std::to_string(minutes) + " min";
+      benchmark::RegisterBenchmark(name.c_str(),
+                                   [=](benchmark::State& state) { sfw::measure(state, minutes); })
+          ->Iterations(1)
+          ->Unit(benchmark::kMillisecond);
+    }
+  });
 }

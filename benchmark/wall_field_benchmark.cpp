@@ -9,8 +9,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <cstdio>
-#include <exception>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -51,8 +50,14 @@ double denseSeconds(const std::vector<AccessPointBins>& access_points,
   return sum * 2.0 * config.line.iterations * config.ensemble_size;
 }
 
-void measure(const std::string& name, const std::vector<AccessPointBins>& access_points,
-             const std::vector<Position>& path) {
+/// A drive, binned.
+struct Drive {
+  std::vector<AccessPointBins> access_points;
+  std::vector<Position> path;
+};
+
+void measure(benchmark::State& state, const Drive& drive) {
+  const auto& [access_points, path] = drive;
   Box box;
   for (const AccessPointBins& one : access_points) {
     box.extend(one.position);
@@ -69,21 +74,29 @@ void measure(const std::string& name, const std::vector<AccessPointBins>& access
   }
   const WallFieldConfig config;
   const std::atomic<bool> never{false};
-  const double ours = leastCpuSeconds(kRepetitions, [&] {
-    return estimateWalls(geometry, access_points, driven, kRadius, config, never).ray_loss_db[0][0];
-  });
+  std::vector<double> ours;
+  while (state.KeepRunning()) {
+    ours.push_back(cpuSeconds([&] {
+      return estimateWalls(geometry, drive.access_points, driven, kRadius, config, never)
+          .ray_loss_db[0][0];
+    }));
+  }
   const double dense = denseSeconds(access_points, config);
   std::size_t bins = 0;
   for (const AccessPointBins& one : access_points) {
     bins += one.bins.size();
   }
-  std::printf("| %s | %zu | %zu | %zu | %.3f | %.1f | %.2f | %.1f |\n", name.c_str(),
-              access_points.size(), bins, geometry.size(), ours,
-              1e6 * ours / static_cast<double>(bins), dense, dense / ours);
+  state.counters["access_points"] = static_cast<double>(access_points.size());
+  state.counters["bins"] = static_cast<double>(bins);
+  state.counters["cells"] = static_cast<double>(geometry.size());
+  state.counters["walls_s"] = leastOf(ours);
+  state.counters["us_per_bin"] = 1e6 * leastOf(ours) / static_cast<double>(bins);
+  state.counters["dense_s"] = dense;
+  state.counters["dense_per_walls"] = dense / leastOf(ours);
 }
 
 /// Bins every 0.2 m of a drive along the walls, repeated until there are enough.
-void measureOffice(std::size_t count, std::int64_t access_points) {
+Drive officeDrive(std::size_t count, std::int64_t access_points) {
   const FloorPlan plan = officeFloor();
   const RadioModel radio(plan, asTransmitters(placeAccessPoints(plan, access_points, 1)),
                          radioConfig(noiseLevel("realistic"), 1));
@@ -102,10 +115,10 @@ void measureOffice(std::size_t count, std::int64_t access_points) {
       binned[j].bins.push_back({pose.position, radio.meanRssi(j, pose), 1.0});
     }
   }
-  measure("office", binned, path);
+  return {binned, path};
 }
 
-void measureRecording(const std::string& readings, const std::string& access_points) {
+Drive recordedDrive(const std::string& readings, const std::string& access_points) {
   std::vector<AccessPointBins> binned;
   std::vector<Position> path;
   const ReadingFile file = readReadings(readings);
@@ -127,27 +140,31 @@ void measureRecording(const std::string& readings, const std::string& access_poi
       binned.push_back(binSamples(samples, one.position, one.height_m, frame, kBin));
     }
   }
-  measure("recording", binned, path);
+  return {binned, path};
+}
+
+/// @param drive  makes the drive when the benchmark runs
+void declare(const std::string& name, const std::function<Drive()>& drive) {
+  benchmark::RegisterBenchmark(name.c_str(),
+                               [=](benchmark::State& state) { measure(state, drive()); })
+      ->Iterations(kRepetitions)
+      ->Unit(benchmark::kMillisecond);
 }
 
 }  // namespace
 }  // namespace sfw
 
 int main(int count, char** arguments) {
-  try {
-    std::puts(
-        "| drive | access points | bins | cells | walls [s] | walls [us/bin] | dense products [s] |"
-        " dense : walls |\n|---|---|---|---|---|---|---|---|");
+  return sfw::runBenchmarks(count, arguments, [](const std::vector<std::string>& files) {
     for (const auto& [bins, access_points] :
          {std::pair{500, 1}, {1000, 1}, {2000, 1}, {4500, 1}, {4500, 3}, {4500, 5}}) {
-      sfw::measureOffice(static_cast<std::size_t>(bins), access_points);
+      sfw::declare("office/" + std::to_string(bins) + '/' + std::to_string(access_points),
+                   [bins = static_cast<std::size_t>(bins), count = access_points] {
+                     return sfw::officeDrive(bins, count);
+                   });
     }
-    if (count == 3) {
-      sfw::measureRecording(arguments[1], arguments[2]);
+    if (files.size() == 2) {
+      sfw::declare("recording", [=] { return sfw::recordedDrive(files[0], files[1]); });
     }
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "wall_field_benchmark: %s\n", error.what());
-    return 1;
-  }
-  return 0;
+  });
 }
