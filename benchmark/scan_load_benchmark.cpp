@@ -43,14 +43,15 @@ Position positionAt(double seconds) {
 
 std::vector<AccessPoint> accessPoints() {
   constexpr int kColumns = 10;
+  constexpr int kRows = kAccessPoints / kColumns;
   std::vector<AccessPoint> access_points;
   for (int i = 0; i < kAccessPoints; ++i) {
     char bssid[18];
     std::snprintf(bssid, sizeof bssid, "02:00:00:00:00:%02x", i);
     AccessPoint access_point;
     access_point.bssid = *Bssid::parse(bssid);
-    access_point.position = {kEdgeM * (i % kColumns) / (kColumns - 1),
-                             kEdgeM * (i / kColumns) / (kAccessPoints / kColumns - 1)};
+    const int row = i / kColumns;
+    access_point.position = {kEdgeM * (i % kColumns) / (kColumns - 1), kEdgeM * row / (kRows - 1)};
     access_points.push_back(access_point);
   }
   return access_points;

@@ -117,9 +117,10 @@ MapOrigin originOf(const MapRow& row, const Json& work) {
     if (file.empty()) {
       return "";
     }
-    std::string& hash = origin.inputs[file];
-    hash = hash.empty() ? hexText(hashOfFile(file)) : hash;
-    return hash;
+    if (!origin.inputs.contains(file)) {
+      origin.inputs[file] = hexText(hashOfFile(file));
+    }
+    return origin.inputs[file];
   };
   origin.made_from = describe(row.recording, hashed);
   origin.made_from["version"] = work.at("version");

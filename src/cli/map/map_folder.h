@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -20,7 +19,7 @@ nlohmann::json optionsJson(const RecordingOptions& recording);
 /// name.
 struct MapOrigin {
   nlohmann::json made_from;
-  std::map<std::string, std::string> inputs;  ///< hashes by file name
+  nlohmann::json inputs = nlohmann::json::object();  ///< hashes by file name
 };
 
 /// Reads every input of a row. @throw InputError naming a file that cannot be read.
