@@ -26,9 +26,10 @@ ALLOWED = {
     "checks": "base grid path radio belief access_points",
     "mapping": "base checks path radio belief walls k_visibility access_points grid",
     "output": "base grid files belief checks k_visibility mapping path",
+    "exploration": "base grid checks",
     "simulation": "base grid files",
     "wireless": "base",
-    "evaluation": "base grid files path radio tomography belief checks k_visibility localization mapping output simulation",
+    "evaluation": "base grid files path radio tomography belief checks k_visibility localization exploration mapping output simulation",
     "training": "base grid path belief walls k_visibility simulation mapping",
 }
 # The rooms of public headers, where no source file of the same name tells.

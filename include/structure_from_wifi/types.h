@@ -12,6 +12,12 @@ namespace sfw {
 /// A point in the map frame [m].
 using Position = Eigen::Vector2d;
 
+/// The position and heading of a robot in the map frame.
+struct RobotPose {
+  Position position = Position::Zero();  ///< [m]
+  double yaw_rad = 0.0;                  ///< counter-clockwise from x
+};
+
 /// The signal strength of one access point, measured at one position.
 struct Reading {
   std::int64_t stamp_ns = 0;                   ///< since the epoch of the clock in use

@@ -28,7 +28,8 @@ enum class Purpose : std::uint64_t {
   kDisturbance,
   kEvaluatedPlaces,  // of an evaluation
   kEvaluatedRoutes,
-  kLocalization
+  kLocalization,
+  kRandomWalk  // of an exploration
 };
 
 /// The stream of random numbers for a purpose.

@@ -7,12 +7,6 @@
 
 namespace sfw {
 
-/// The position and heading of a robot in the map frame.
-struct RobotPose {
-  Position position = Position::Zero();  ///< [m]
-  double yaw_rad = 0.0;                  ///< counter-clockwise from x
-};
-
 /// A drive along way points at constant speed, with turns on the spot between straight stretches.
 ///
 /// The robot starts at the first way point and faces the second. Immutable.

@@ -4,17 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "base/drive_command.h"
 #include "simulation/robot/route.h"
 #include "structure_from_wifi/grid_geometry.h"
 #include "structure_from_wifi/types.h"
 
 namespace sfw {
-
-/// A command to a robot, in its own frame.
-struct DriveCommand {
-  double speed_m_s = 0.0;       ///< forwards; backwards if negative
-  double yaw_rate_rad_s = 0.0;  ///< counter-clockwise
-};
 
 /// A round robot on two driven wheels, among walls that stop it.
 ///
