@@ -17,6 +17,8 @@ void runVisibility(Options& options);
 void runDense(Options& options);
 void runChooseSites(Options& options);
 void runSimulate(Options& options);
+void runNext(Options& options);
+void runExplore(Options& options);
 void runBench(Options& options);
 void runFit(Options& options);
 void runWallDrives(Options& options);

@@ -39,6 +39,9 @@ constexpr Command kCommands[] = {
      runChooseSites},
     {"simulate", "Drive a simulated robot through a known building and record its readings.",
      runSimulate},
+    {"next", "Rank the drives that a robot should make next, and draw them.", runNext},
+    {"explore", "Let a simulated robot explore a known building by itself, and score its maps.",
+     runExplore},
     {"bench",
      "Map many simulated recordings and print metrics beside references and ablations. After an "
      "interruption the same command resumes.",

@@ -4,6 +4,7 @@
 
 #include "files/round_length.h"
 #include "files/text.h"
+#include "files/yaml.h"
 #include "grid/contour.h"
 
 namespace sfw {
@@ -192,6 +193,33 @@ std::string wallsYaml(const std::vector<WallSegment>& walls) {
             ", outer: " + (wall.is_outer ? "true" : "false") + "}\n";
   }
   return yaml;
+}
+
+std::vector<WallSegment> readWalls(const std::string& file) {
+  return readYaml(file, [](const YAML::Node& node) {
+    std::vector<WallSegment> walls;
+    if (!node.IsMap() || !node["walls"].IsSequence()) {
+      throw InputError("it holds no list `walls`; make it with sfw map");
+    }
+    for (const YAML::Node& row : node["walls"]) {
+      try {
+        WallSegment wall;
+        wall.from = {row["from"][0].as<double>(), row["from"][1].as<double>()};
+        wall.to = {row["to"][0].as<double>(), row["to"][1].as<double>()};
+        wall.confidence = row["confidence"].as<double>();
+        wall.is_outer = row["outer"].as<bool>();
+        if (!wall.from.allFinite() || !wall.to.allFinite() || !(wall.confidence > 0.0) ||
+            !(wall.confidence < 1.0)) {
+          throw InputError("its numbers are out of range");
+        }
+        walls.push_back(wall);
+      } catch (const std::exception& error) {
+        throw InputError("wall " + std::to_string(walls.size() + 1) +
+                         " needs {from: [x, y], to: [x, y], confidence, outer}: " + error.what());
+      }
+    }
+    return walls;
+  });
 }
 
 std::string wallsSvg(const FloorDrawing& drawing) {

@@ -26,6 +26,10 @@ FloorDrawing floorDrawing(const Snapshot& snapshot);
 /// metres of the map frame, rounded to millimetres.
 std::string wallsYaml(const std::vector<WallSegment>& walls);
 
+/// Reads the walls of a walls.yaml.
+/// @throw InputError naming the file, and the wall that cannot be used
+std::vector<WallSegment> readWalls(const std::string& file);
+
 /// The text of walls.svg at a scale of 1:50, with layers for Inkscape. The coordinates in the
 /// layers are metres of the map frame. The opacity of a wall is its confidence. Outer
 /// walls are dashed, on a layer of their own.

@@ -12,6 +12,7 @@
 #include "files/text.h"
 #include "structure_from_wifi/map_files.h"
 #include "support/ascii_world.h"
+#include "support/complaint.h"
 #include "support/temporary_folder.h"
 
 namespace sfw {
@@ -286,6 +287,25 @@ TEST_F(WallFiles, OfAMapWithoutWallsReplaceThoseOfAnEarlierMap) {
   EXPECT_EQ(YAML::LoadFile(path("walls.yaml"))["walls"].size(), 0U);
   EXPECT_EQ(read("walls.svg").find("<line"), std::string::npos);
   EXPECT_TRUE(entities(pairsOf(read("walls.dxf")), "LINE").empty());
+}
+
+TEST_F(WallFiles, AreReadBack) {
+  const std::vector<WallSegment> walls = readWalls(write("walls.yaml", wallsYaml(kWalls)));
+  ASSERT_EQ(walls.size(), kWalls.size());
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    EXPECT_LT((walls[i].from - kWalls[i].from).norm(), 1e-3);
+    EXPECT_LT((walls[i].to - kWalls[i].to).norm(), 1e-3);
+    EXPECT_NEAR(walls[i].confidence, kWalls[i].confidence, 1e-3);
+    EXPECT_EQ(walls[i].is_outer, kWalls[i].is_outer);
+  }
+}
+
+TEST_F(WallFiles, NameAWallThatCannotBeUsed) {
+  const std::string file = write(
+      "walls.yaml", "walls:\n  - {from: [0, 0], to: [1, 0], confidence: 1.5, outer: false}\n");
+  const std::string text = test::complaintOf([&] { readWalls(file); });
+  EXPECT_NE(text.find("wall 1"), std::string::npos) << text;
+  EXPECT_NE(text.find("walls.yaml"), std::string::npos) << text;
 }
 
 }  // namespace
