@@ -35,6 +35,8 @@ void checkDrive(const SimulatorConfig& config, Problems& problems) {
   if (config.drive != "route" && config.drive != "cmd_vel") {
     problems.add("drive must be route or cmd_vel");
   }
+  problems.require(config.bumper == "contact" || config.bumper == "contact_points", "bumper",
+                   config.bumper, "contact or contact_points");
   const SimulatedRobot::Config& robot = config.robot;
   problems.within("speed", robot.max_speed_m_s, 0.01, 10.0);
   problems.within("yaw_rate", robot.max_yaw_rate_rad_s, 0.01, 100.0);

@@ -27,6 +27,8 @@ struct SimulatorConfig {
   /// Its speed and yaw rate are those of a route, and the limits of commands.
   SimulatedRobot::Config robot;
 
+  std::string bumper = "contact";  ///< topic of touches: or "contact_points"
+
   LaserConfig laser;
 
   double scan_rate_hz = 5.0;    ///< [Hz], simulated time
@@ -69,6 +71,7 @@ void forEachSimulatorSetting(AnyConfig& config, Visitor&& visit) {
   visit("acceleration", config.robot.acceleration_m_s2);
   visit("yaw_acceleration", config.robot.yaw_acceleration_rad_s2);
   visit("command_timeout", config.robot.command_timeout_s);
+  visit("bumper", config.bumper);
   visit("laser/rate", config.laser.rate_hz);
   visit("laser/beams", config.laser.beams);
   visit("laser/range", config.laser.range_m);

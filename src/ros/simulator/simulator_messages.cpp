@@ -1,5 +1,7 @@
 #include "ros/simulator/simulator_messages.h"
 
+#include <sensor_msgs/point_cloud2_iterator.h>
+
 #include <cmath>
 #include <optional>
 
@@ -53,6 +55,21 @@ nav_msgs::Odometry odometryMessage(const geometry_msgs::TransformStamped& before
     odometry.twist.twist.angular.z = turn / seconds;
   }
   return odometry;
+}
+
+sensor_msgs::PointCloud2 bumperCloud(const RobotPose& pose, const std::optional<Position>& point) {
+  constexpr float kHeight = 0.05F;  // [m]
+  sensor_msgs::PointCloud2 cloud;
+  sensor_msgs::PointCloud2Modifier(cloud).setPointCloud2FieldsByString(1, "xyz");
+  sensor_msgs::PointCloud2Modifier(cloud).resize(point ? 1 : 0);
+  if (point) {
+    const Position at = Eigen::Rotation2Dd(-pose.yaw_rad) * (*point - pose.position);
+    sensor_msgs::PointCloud2Iterator<float> x(cloud, "x");
+    x[0] = static_cast<float>(at.x());
+    x[1] = static_cast<float>(at.y());
+    x[2] = kHeight;
+  }
+  return cloud;
 }
 
 sensor_msgs::LaserScan laserMessage(const Grid<CellState>& plan, const RobotPose& pose,

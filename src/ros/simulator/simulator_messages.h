@@ -4,10 +4,12 @@
 #include <nav_msgs/Odometry.h>
 #include <ros/time.h>
 #include <sensor_msgs/LaserScan.h>
+#include <sensor_msgs/PointCloud2.h>
 #include <std_msgs/Bool.h>
 #include <structure_from_wifi/WifiScan.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +37,11 @@ std::vector<geometry_msgs::TransformStamped> transformMessages(const SimulatorCo
 /// velocity between them in the frame of the base. It is 0 if both have the same stamp.
 nav_msgs::Odometry odometryMessage(const geometry_msgs::TransformStamped& before,
                                    const geometry_msgs::TransformStamped& now);
+
+/// The cloud of a bumper: the point that it touches; empty if there is none.
+/// @param pose   true pose, map frame
+/// @param point  true point [m], map frame
+sensor_msgs::PointCloud2 bumperCloud(const RobotPose& pose, const std::optional<Position>& point);
 
 /// What a laser scanner sees at the robot's true pose; infinity where nothing is in range.
 /// @param pose  true pose, map frame

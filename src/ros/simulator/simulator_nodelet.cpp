@@ -5,6 +5,7 @@
 #include <ros/ros.h>
 #include <rosgraph_msgs/Clock.h>
 #include <sensor_msgs/LaserScan.h>
+#include <sensor_msgs/PointCloud2.h>
 #include <std_msgs/Bool.h>
 #include <structure_from_wifi/WifiScan.h>
 
@@ -113,7 +114,12 @@ void SimulatorNodelet::advertise() {
   broadcaster_.emplace();
   odometry_publisher_ = node.advertise<nav_msgs::Odometry>("odom", kQueue);
   truth_publisher_ = node.advertise<nav_msgs::OccupancyGrid>("truth", 1, kLatched);
-  contact_publisher_ = node.advertise<std_msgs::Bool>("contact", kQueue, kLatched);
+  if (config_.bumper == "contact_points") {
+    points_publisher_ = node.advertise<sensor_msgs::PointCloud2>("contact_points", kQueue);
+  } else {
+    contact_publisher_ = node.advertise<std_msgs::Bool>("contact", kQueue, kLatched);
+    contact_publisher_.publish(boolMessage(false));
+  }
   finished_publisher_ = node.advertise<std_msgs::Bool>("finished", 1, kLatched);
   if (config_.laser.rate_hz > 0.0) {
     laser_publisher_ = node.advertise<sensor_msgs::LaserScan>("scan", kQueue);
@@ -123,7 +129,6 @@ void SimulatorNodelet::advertise() {
   header.frame_id = config_.map_frame;
   header.stamp = start_;
   truth_publisher_.publish(toTrinaryGrid(*plan_, header));
-  contact_publisher_.publish(boolMessage(false));
   finished_publisher_.publish(boolMessage(false));
 }
 
@@ -177,7 +182,7 @@ void SimulatorNodelet::sendStep(std::int64_t step) {
   odometry_publisher_.publish(
       odometryMessage(odom_from_base_.value_or(transforms.back()), transforms.back()));
   odom_from_base_ = transforms.back();
-  sendContact(pose);
+  sendContact(stamp, pose);
   const double sent_s = static_cast<double>(step) / config_.tf_rate_hz;
   if (laser_publisher_ && isDue(sent_s, config_.laser.rate_hz, laser_scans_)) {
     sendLaserScan(stamp, pose);
@@ -195,7 +200,7 @@ void SimulatorNodelet::sendStep(std::int64_t step) {
   }
 }
 
-void SimulatorNodelet::sendContact(const RobotPose& pose) {
+void SimulatorNodelet::sendContact(const ros::Time& stamp, const RobotPose& pose) {
   constexpr double kTurn = 0.2;  // [rad]
   const bool contact = robot_ && robot_->contact();
   // A robot that turns along a wall touches it at another point of its bumper.
@@ -204,7 +209,15 @@ void SimulatorNodelet::sendContact(const RobotPose& pose) {
   if (contact != contact_ || turned) {
     contact_ = contact;
     contact_yaw_rad_ = pose.yaw_rad;
-    contact_publisher_.publish(boolMessage(contact));
+    if (points_publisher_) {
+      sensor_msgs::PointCloud2 cloud =
+          bumperCloud(pose, contact ? robot_->contact() : std::nullopt);
+      cloud.header.stamp = stamp;
+      cloud.header.frame_id = config_.base_frame;
+      points_publisher_.publish(cloud);
+    } else {
+      contact_publisher_.publish(boolMessage(contact));
+    }
   }
 }
 

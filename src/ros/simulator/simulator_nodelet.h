@@ -61,7 +61,7 @@ class SimulatorNodelet : public nodelet::Nodelet {
   void sendStep(std::int64_t step);
 
   /// Sends a contact that begins or ends, and one that goes on after each turn of 0.2 rad.
-  void sendContact(const RobotPose& pose);
+  void sendContact(const ros::Time& stamp, const RobotPose& pose);
 
   /// Moves the robot to a step of its drive and returns its pose.
   RobotPose moveTo(std::int64_t step);
@@ -89,7 +89,8 @@ class SimulatorNodelet : public nodelet::Nodelet {
   ros::Publisher laser_publisher_;  // unused without a laser
   ros::Publisher odometry_publisher_;
   ros::Publisher truth_publisher_;
-  ros::Publisher contact_publisher_;
+  ros::Publisher contact_publisher_;  // this or the next one
+  ros::Publisher points_publisher_;
   ros::Publisher finished_publisher_;
   std::optional<tf2_ros::TransformBroadcaster> broadcaster_;
   std::optional<geometry_msgs::TransformStamped> odom_from_base_;  // as last sent

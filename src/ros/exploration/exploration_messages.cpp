@@ -1,0 +1,126 @@
+#include "ros/exploration/exploration_messages.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <limits>
+
+#include "ros/conversion/message_conversion.h"
+
+namespace sfw {
+namespace {
+
+visualization_msgs::Marker marker(const std_msgs::Header& header, const char* name, int id,
+                                  int type) {
+  visualization_msgs::Marker marker;
+  marker.header = header;
+  marker.ns = name;
+  marker.id = id;
+  marker.type = type;
+  marker.pose.orientation.w = 1.0;
+  marker.color.r = 0.1F;
+  marker.color.g = 0.6F;
+  marker.color.b = 0.2F;
+  marker.color.a = 1.0F;
+  return marker;
+}
+
+GridGeometry geometryOf(const nav_msgs::MapMetaData& info) {
+  return GridGeometry(static_cast<double>(info.resolution),
+                      Position(info.origin.position.x, info.origin.position.y), info.width,
+                      info.height);
+}
+
+}  // namespace
+
+std::string problemOf(const nav_msgs::OccupancyGrid& grid) {
+  const auto& info = grid.info;
+  const auto& origin = info.origin;
+  const auto cells = static_cast<std::size_t>(info.width) * info.height;
+  if (cells == 0 || cells != grid.data.size()) {
+    return "its data do not fit its width and height";
+  }
+  if (!std::isfinite(info.resolution) || info.resolution <= 0.0F ||
+      !std::isfinite(origin.position.x) || !std::isfinite(origin.position.y)) {
+    return "its resolution or origin is no number that a map can have";
+  }
+  if (std::abs(origin.orientation.z) > 1e-6 || std::abs(origin.orientation.x) > 1e-6 ||
+      std::abs(origin.orientation.y) > 1e-6) {
+    return "it is turned against its frame";
+  }
+  return {};
+}
+
+std::optional<ExplorationView> viewOf(const MapMessages& messages) {
+  if (!messages.map || !messages.probability ||
+      !haveSameGeometry(messages.map->info, messages.probability->info)) {
+    return std::nullopt;
+  }
+  const GridGeometry geometry = geometryOf(messages.map->info);
+  ExplorationView view{Grid<CellState>(geometry), Grid<float>(geometry), {}};
+  constexpr int kHalf = 50;
+  for (std::size_t i = 0; i < geometry.size(); ++i) {
+    const int state = messages.map->data[i];
+    const int percent = messages.probability->data[i];
+    view.states.cells[i] = state < 0       ? CellState::kUnknown
+                           : state < kHalf ? CellState::kFree
+                                           : CellState::kOccupied;
+    view.occupied.cells[i] = percent < 0 ? std::numeric_limits<float>::quiet_NaN()
+                                         : static_cast<float>(percent) / 100.0F;
+  }
+  if (messages.walls) {
+    for (const auto& wall : messages.walls->walls) {
+      view.walls.push_back({Position(wall.start.x, wall.start.y), Position(wall.end.x, wall.end.y),
+                            static_cast<double>(wall.confidence), wall.outer != 0});
+    }
+  }
+  if (messages.access_points) {
+    for (const auto& access_point : messages.access_points->access_points) {
+      const Position at(access_point.position.x, access_point.position.y);
+      if (at.allFinite()) {
+        view.access_points.push_back(at);
+      }
+    }
+  }
+  return view;
+}
+
+visualization_msgs::MarkerArray toMarkers(const std::vector<ExplorationGoal>& goals,
+                                          const std::optional<ExplorationGoal>& goal,
+                                          const std_msgs::Header& header) {
+  using visualization_msgs::Marker;
+  constexpr double kHeight = 0.2;
+  visualization_msgs::MarkerArray array;
+  array.markers.push_back(marker(header, "goals", 0, Marker::SPHERE));
+  array.markers.back().action = Marker::DELETEALL;
+  int id = 0;
+  for (const ExplorationGoal& one : goals) {
+    Marker ball = marker(header, "goals", id, Marker::SPHERE);
+    ball.pose.position = toPoint(one.position, kHeight);
+    const double share = one.rate_m2_s / std::max(goals.front().rate_m2_s, 1e-9);
+    ball.scale.x = ball.scale.y = ball.scale.z = 0.1 + 0.2 * share;
+    array.markers.push_back(ball);
+    Marker text = marker(header, "gains", id, Marker::TEXT_VIEW_FACING);
+    text.pose.position = toPoint(one.position, 2.0 * kHeight);
+    text.pose.position.y += 0.3;
+    text.scale.z = 0.25;
+    char words[40];
+    std::snprintf(words, sizeof words, "%.1f m2 in %.0f s", one.area_m2 + one.walls_m2,
+                  one.travel_s);
+    text.text = words;
+    array.markers.push_back(text);
+    ++id;
+  }
+  if (goal && goal->way.size() > 1) {
+    Marker way = marker(header, "way", 0, Marker::LINE_STRIP);
+    way.scale.x = 0.06;
+    for (const Position& at : goal->way) {
+      way.points.push_back(toPoint(at, kHeight));
+    }
+    array.markers.push_back(way);
+  }
+  return array;
+}
+
+}  // namespace sfw

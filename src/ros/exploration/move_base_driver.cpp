@@ -1,0 +1,76 @@
+#include "ros/exploration/move_base_driver.h"
+
+#include <cmath>
+
+namespace sfw {
+namespace {
+
+constexpr double kBackOffM = 0.15;  // [m]
+constexpr double kBackOffS = 3.0;   // at most [s]
+
+}  // namespace
+
+MoveBaseDriver::MoveBaseDriver(const ros::NodeHandle& node, const std::string& map_frame,
+                               double speed_m_s)
+    : map_frame_(map_frame), speed_m_s_(speed_m_s) {
+  ros::NodeHandle handle(node);
+  constexpr bool kSpinThread = false;
+  client_ = std::make_unique<actionlib::SimpleActionClient<move_base_msgs::MoveBaseAction>>(
+      handle, "move_base", kSpinThread);
+}
+
+void MoveBaseDriver::follow(std::vector<Position> way) {
+  if (way.size() < 2) {
+    state_ = State::kArrived;
+    return;
+  }
+  const Position& end = way.back();
+  const Position along = end - way[way.size() - 2];
+  const double yaw = std::atan2(along.y(), along.x());
+  move_base_msgs::MoveBaseGoal goal;
+  goal.target_pose.header.frame_id = map_frame_;
+  goal.target_pose.header.stamp = ros::Time::now();
+  goal.target_pose.pose.position.x = end.x();
+  goal.target_pose.pose.position.y = end.y();
+  goal.target_pose.pose.orientation.z = std::sin(yaw / 2.0);
+  goal.target_pose.pose.orientation.w = std::cos(yaw / 2.0);
+  client_->sendGoal(goal);
+  state_ = State::kDriving;
+}
+
+void MoveBaseDriver::stop() {
+  if (state_ == State::kDriving && !backing_) {
+    client_->cancelGoal();
+  }
+  state_ = State::kIdle;
+  backing_ = false;
+  command_ = {};
+}
+
+Driver::State MoveBaseDriver::step(const RobotPose& pose, bool touching, double now_s) {
+  command_ = {};
+  if (state_ != State::kDriving) {
+    return state_;
+  }
+  if (touching && !backing_) {
+    client_->cancelGoal();
+    backing_ = true;
+    backing_from_ = pose;
+    backing_since_s_ = now_s;
+  }
+  if (backing_) {
+    if ((pose.position - backing_from_.position).norm() < kBackOffM &&
+        now_s - backing_since_s_ < kBackOffS) {
+      command_.speed_m_s = -0.5 * speed_m_s_;
+    } else {
+      backing_ = false;
+      state_ = State::kBlocked;
+    }
+  } else if (client_->getState().isDone()) {
+    state_ = client_->getState() == actionlib::SimpleClientGoalState::SUCCEEDED ? State::kArrived
+                                                                                : State::kFailed;
+  }
+  return state_;
+}
+
+}  // namespace sfw

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <actionlib/client/simple_action_client.h>
+#include <move_base_msgs/MoveBaseAction.h>
+#include <ros/node_handle.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/drive_command.h"
+#include "exploration/driver.h"
+
+namespace sfw {
+
+/// Sends the ends of ways as goals to the action `move_base`.
+///
+/// After a touch it cancels the goal and asks to drive backwards, because move_base finds no way
+/// out of a cell that it takes for an obstacle.
+class MoveBaseDriver : public Driver {
+ public:
+  /// @param node  whose callback queue must not wait for step()
+  MoveBaseDriver(const ros::NodeHandle& node, const std::string& map_frame, double speed_m_s);
+
+  void follow(std::vector<Position> way) override;
+  void stop() override;
+  State step(const RobotPose& pose, bool touching, double now_s) override;
+
+  /// Whether the robot shall obey command() now, and not move_base.
+  bool backsOff() const { return backing_; }
+  const DriveCommand& command() const { return command_; }
+
+  /// Whether somebody serves the action.
+  bool connected() const { return client_->isServerConnected(); }
+
+ private:
+  std::unique_ptr<actionlib::SimpleActionClient<move_base_msgs::MoveBaseAction>> client_;
+  std::string map_frame_;
+  double speed_m_s_;
+  State state_ = State::kIdle;
+  DriveCommand command_;
+  bool backing_ = false;
+  RobotPose backing_from_;
+  double backing_since_s_ = 0.0;
+};
+
+}  // namespace sfw
