@@ -90,8 +90,15 @@ class CellFeatureExtractor {
 
   CellFeatures extract() const {
     CellFeatures features{geometry_, {}, {}, style_, explained_variance_};
+    const auto isNear = [&](double distance) {
+      return distance * geometry_.resolution() <= kMaxDistanceToPath;
+    };
+    const auto count = static_cast<std::size_t>(
+        std::count_if(distance_.cells.begin(), distance_.cells.end(), isNear));
+    features.cells.reserve(count);
+    features.values.reserve(count);  // they are large
     for (std::size_t i = 0; i < distance_.cells.size() && !stop_; ++i) {
-      if (distance_.cells[i] * geometry_.resolution() <= kMaxDistanceToPath) {
+      if (isNear(distance_.cells[i])) {
         features.cells.push_back(i);
         features.values.push_back(featuresOf(inputs(i), std::make_index_sequence<kCellFeatures>()));
       }

@@ -73,21 +73,23 @@ Channels WallNetwork::convolved(Layer layer, const Channels& input,
   return convolve(input, layers_[layer], layer == kOutput ? Activation::kNone : Activation::kRelu);
 }
 
-Channels WallNetwork::apply(const Channels& rasters, const std::atomic<bool>& stop) const {
+Channels WallNetwork::apply(Channels rasters, const std::atomic<bool>& stop) const {
   const auto convolved = [&](Layer layer, const Channels& input) {
     return this->convolved(layer, input, stop);
   };
-  Channels padded(rasters.count(), roundedUp(rasters.height()), roundedUp(rasters.width()));
-  copyShared(rasters, padded);
-  const Channels fine = convolved(kFine1, convolved(kFine0, padded));
+  Channels result(kOutputs, rasters.height(), rasters.width());
+  Channels fine(rasters.count(), roundedUp(rasters.height()), roundedUp(rasters.width()));
+  copyShared(rasters, fine);
+  rasters = Channels(0, 0, 0);  // the inputs are large, so each is freed as soon as it was used
+  fine = convolved(kFine0, fine);
+  fine = convolved(kFine1, fine);
   const Channels middle = convolved(kMiddle1, convolved(kMiddle0, maxPool(fine)));
   const Channels coarse = convolved(kCoarse1, convolved(kCoarse0, maxPool(middle)));
-  const Channels coarsest = convolved(kCoarsest1, convolved(kCoarsest0, maxPool(coarse)));
-  const Channels up_coarse = convolved(kUpCoarse, joined(upsample(coarsest), coarse));
-  const Channels up_middle = convolved(kUpMiddle, joined(upsample(up_coarse), middle));
-  const Channels up_fine = convolved(kUpFine, joined(upsample(up_middle), fine));
-  Channels result(kOutputs, rasters.height(), rasters.width());
-  copyShared(convolved(kOutput, up_fine), result);
+  Channels up = convolved(kCoarsest1, convolved(kCoarsest0, maxPool(coarse)));
+  up = convolved(kUpCoarse, joined(upsample(up), coarse));
+  up = convolved(kUpMiddle, joined(upsample(up), middle));
+  up = convolved(kUpFine, joined(upsample(up), fine));
+  copyShared(convolved(kOutput, up), result);
   return result;
 }
 

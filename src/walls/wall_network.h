@@ -52,7 +52,7 @@ class WallNetwork {
   /// @param stop     polled; when it turns true the result is incomplete
   /// @return kOutputs channels of the same size
   /// @throw std::invalid_argument if the number of channels is another.
-  Channels apply(const Channels& rasters, const std::atomic<bool>& stop) const;
+  Channels apply(Channels rasters, const std::atomic<bool>& stop) const;
 
  private:
   Channels convolved(Layer layer, const Channels& input, const std::atomic<bool>& stop) const;
