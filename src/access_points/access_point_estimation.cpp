@@ -4,20 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 #include <utility>
 
 #include "access_points/access_point_likelihood.h"
+#include "access_points/coarse_bins.h"
 
 namespace sfw {
 namespace {
 
-constexpr double kBinSizeM = 0.4;
 constexpr std::size_t kFewestBins = 12;
-constexpr std::size_t kMostBins = 300;
 constexpr double kLeastSpreadDb = 1.0;  // less is rounding, not distance
-
-constexpr double kLeastNoiseDb2 = 0.1;
 
 constexpr double kMarginM = 8.0;  // of the search beyond the path
 constexpr double kCoarseCellM = 1.0;
@@ -36,44 +32,6 @@ constexpr double kAmbiguous = 3.0;
 /// 3 m or more do.
 constexpr double kSuspectRatio = 6.0;
 constexpr double kSuspectDistanceM = 1.5;
-
-/// Variance of a reading about its bin's mean [dB2]. Differences of successive readings would give
-/// it too. But the order of readings must not matter.
-double noiseWithinBins(const std::vector<Sample>& samples, const std::vector<RadioBin>& bins) {
-  constexpr double kUsualDb2 = 9.0;
-  constexpr double kReadings = 2.0;          // weight of the usual noise, as a number of readings
-  constexpr double kUsualSignalDbm = -60.0;  // subtracted first: squares of large numbers round
-  double sum = kReadings * kUsualDb2;
-  for (const Sample& sample : samples) {
-    sum += (sample.rssi_dbm - kUsualSignalDbm) * (sample.rssi_dbm - kUsualSignalDbm);
-  }
-  for (const RadioBin& bin : bins) {
-    sum -= bin.readings * (bin.rssi_dbm - kUsualSignalDbm) * (bin.rssi_dbm - kUsualSignalDbm);
-  }
-  const double freedom = static_cast<double>(samples.size() - bins.size()) + kReadings;
-  return std::max(kLeastNoiseDb2, sum / freedom);
-}
-
-/// Bins of at least 0.4 m. They are larger if there would be more than kMostBins.
-AccessPointBins coarseBins(std::vector<Sample> samples, std::optional<double> height_m) {
-  std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) {
-    return std::make_tuple(a.antenna_in_map.x(), a.antenna_in_map.y(), a.rssi_dbm) <
-           std::make_tuple(b.antenna_in_map.x(), b.antenna_in_map.y(), b.rssi_dbm);
-  });
-  // All bins are far from this position, so binSamples drops none as too near.
-  Position beyond(0.0, 0.0);
-  for (const Sample& sample : samples) {
-    beyond = beyond.cwiseMax(sample.antenna_in_map + Position(1.0, 1.0));
-  }
-  AccessPointBins binned;
-  double bin_size_m = kBinSizeM;
-  do {
-    binned = binSamples(samples, beyond, height_m, BuildingFrame(), bin_size_m);
-    bin_size_m *= 1.25;
-  } while (binned.bins.size() > kMostBins);
-  binned.noise_db2 = noiseWithinBins(samples, binned.bins);
-  return binned;
-}
 
 /// Standard deviation of the bins' signals [dB].
 double signalSpread(const std::vector<RadioBin>& bins) {
