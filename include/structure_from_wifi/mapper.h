@@ -46,6 +46,10 @@ class SFW_EXPORT Mapper {
   /// @}
   ~Mapper();
 
+  /// Makes room for so many readings at once. Without it, the mapper takes up to twice their memory
+  /// while it grows.
+  void reserve(std::size_t readings);
+
   /// Adds a reading or a contact. Any result but kAccepted and kUnknownAccessPoint leaves the map
   /// as it was. The cost is O(log access points). It is O(readings log readings) for the first
   /// position that seems too far away after positions that did not.
@@ -126,6 +130,10 @@ class SFW_EXPORT Mapper {
   std::shared_ptr<const Snapshot> infer() const;
   /// @}
 
+  /// Infers the same map, and forgets the readings, the path and the contacts on the way. This
+  /// takes less memory.
+  std::shared_ptr<const Snapshot> inferLast(const std::atomic<bool>& stop);
+
   /// Infers the map without any signal strength. This ablation shows the contribution of the radio.
   std::shared_ptr<const Snapshot> inferWithoutRadio() const;
 
@@ -134,7 +142,9 @@ class SFW_EXPORT Mapper {
   void configure(const Config& config);
 
  private:
-  std::shared_ptr<const Snapshot> infer(UseRadio use_radio, const std::atomic<bool>& stop) const;
+  struct Checked;
+  std::shared_ptr<const Snapshot> mapOf(Checked data, UseRadio use_radio,
+                                        const std::atomic<bool>& stop) const;
 
   Config config_;
   std::shared_ptr<const MapMethod> method_;

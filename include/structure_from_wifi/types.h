@@ -6,11 +6,13 @@
 #include <string>
 
 #include "structure_from_wifi/bssid.h"
+#include "structure_from_wifi/robot_name.h"
 
 namespace sfw {
 
-/// A point in the map frame [m].
-using Position = Eigen::Vector2d;
+/// A point in the map frame [m]. Unlike Eigen::Vector2d, it needs no alignment to 16 bytes, so the
+/// structs below have no gaps. It converts from and to vectors of Eigen.
+using Position = Eigen::Matrix<double, 2, 1, Eigen::DontAlign>;
 
 /// The position and heading of a robot in the map frame.
 struct RobotPose {
@@ -24,7 +26,7 @@ struct Reading {
   Position antenna_in_map = Position::Zero();  ///< [m]
   Bssid bssid;                                 ///< of the access point
   double rssi_dbm = 0.0;                       ///< received power
-  std::string robot = {};                      ///< name of the robot; empty: the only one
+  RobotName robot = {};                        ///< name of the robot; empty: the only one
 };
 
 /// A reading in a list that already gives its access point and time.
@@ -37,7 +39,7 @@ struct Sample {
 struct Contact {
   std::int64_t stamp_ns = 0;                 ///< of the touch
   Position point_in_map = Position::Zero();  ///< [m]
-  std::string robot = {};                    ///< name of the robot; empty: the only one
+  RobotName robot = {};                      ///< name of the robot; empty: the only one
 };
 
 /// A pose of the path.
@@ -45,7 +47,7 @@ struct PathPose {
   std::int64_t stamp_ns = 0;                   ///< of the pose
   Position antenna_in_map = Position::Zero();  ///< [m]
   int walls = kNoWallCount;  ///< fewest walls to any access point with a reading at this pose
-  std::string robot = {};    ///< name of the robot; empty: the only one
+  RobotName robot = {};      ///< name of the robot; empty: the only one
 
   /// The value of `walls` where no reading gave a count.
   static constexpr int kNoWallCount = -1;

@@ -23,6 +23,11 @@ constexpr std::int64_t kSimultaneousNs = 300'000'000;
 constexpr std::size_t kFewest = 3;  // simultaneous readings: fewer tell nothing
 constexpr double kSamePlaceM = 1.0;
 
+/// Whether positions of the table tell that two BSSIDs are those of two radios.
+bool areApart(const AccessPoint& a, const AccessPoint& b) {
+  return a.position_known && b.position_known && (a.position - b.position).norm() > kSamePlaceM;
+}
+
 /// Variance by fading and noise, but not by distance [dB2]. A few readings hardly change the usual
 /// value.
 double fadingOf(const Readings& readings) {
@@ -148,7 +153,7 @@ class Pairs {
     }
     const AccessPoint& a = table_[i];
     const AccessPoint& b = table_[j];
-    if (a.position_known && b.position_known && (a.position - b.position).norm() > kSamePlaceM) {
+    if (areApart(a, b)) {
       return kNever;
     }
     const Common common = commonOf(readings_[i], readings_[j]);
@@ -215,6 +220,15 @@ std::vector<RadioGroup> merged(const Pairs& pairs, const RadioGroup& set) {
 }
 
 }  // namespace
+
+bool isAlone(std::size_t i, const std::vector<AccessPoint>& table) {
+  for (std::size_t j = 0; j < table.size(); ++j) {
+    if (j != i && !areApart(table[i], table[j])) {
+      return false;
+    }
+  }
+  return true;
+}
 
 double levelDifference(const Readings& a, const Readings& b) {
   const std::vector<double> differences = commonOf(a, b).differences;

@@ -25,6 +25,12 @@ using RadioGroup = std::vector<std::size_t>;
 std::vector<RadioGroup> groupByRadio(const std::vector<AccessPoint>& table,
                                      const std::vector<std::vector<Reading>>& readings);
 
+/// Whether positions of the table tell that a BSSID shares its radio with no other one. Its
+/// readings do not matter to groupByRadio then.
+/// @param i  its index in the table
+/// O(table)
+bool isAlone(std::size_t i, const std::vector<AccessPoint>& table);
+
 /// Median difference of two BSSIDs' signals that are heard at once [dB]; 0 if there are none.
 /// @param a, b  their readings by stamp
 double levelDifference(const std::vector<Reading>& a, const std::vector<Reading>& b);

@@ -6,7 +6,7 @@
 namespace sfw {
 namespace {
 
-using Readings = std::vector<Reading>;
+using Readings = ReadingRefs;
 
 }  // namespace
 

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "base/reading_refs.h"
 #include "structure_from_wifi/recording_findings.h"
 #include "structure_from_wifi/types.h"
 
@@ -11,7 +12,7 @@ namespace sfw {
 /// @param readings  of each access point, by stamp
 /// O(readings)
 std::vector<Bssid> findHeardAtOnePlace(const std::vector<AccessPoint>& table,
-                                       const std::vector<std::vector<Reading>>& readings,
+                                       const std::vector<ReadingRefs>& readings,
                                        const std::vector<PathPose>& path);
 
 }  // namespace sfw

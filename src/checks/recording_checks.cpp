@@ -17,7 +17,7 @@
 namespace sfw {
 namespace {
 
-using ByRadio = std::vector<std::vector<Reading>>;
+using ByRadio = std::vector<ReadingRefs>;
 
 bool isSignal(const Reading& reading) { return isInRssiRange(reading.rssi_dbm); }
 
@@ -27,12 +27,22 @@ bool earlier(const Reading& a, const Reading& b) {
 
 /// Every pose once, by robot and stamp, of accepted and of refused readings.
 std::vector<PathPose> posesOf(const RecordingData& data) {
+  const auto isNext = [](const ReadingRefs& readings, std::size_t i) {
+    const Reading& reading = readings[i];
+    const Reading& before = readings[i == 0 ? 0 : i - 1];
+    return i == 0 || before.stamp_ns != reading.stamp_ns ||
+           before.antenna_in_map != reading.antenna_in_map || before.robot != reading.robot;
+  };
   std::vector<PathPose> poses;
-  const auto add = [&](const std::vector<Reading>& readings) {
-    for (const Reading& reading : readings) {
-      if (poses.empty() || poses.back().stamp_ns != reading.stamp_ns ||
-          poses.back().antenna_in_map != reading.antenna_in_map ||
-          poses.back().robot != reading.robot) {
+  const auto add = [&](const ReadingRefs& readings) {
+    std::size_t count = poses.size();
+    for (std::size_t i = 0; i < readings.size(); ++i) {
+      count += isNext(readings, i) ? 1 : 0;
+    }
+    poses.reserve(count);  // a list that grows would take twice the memory
+    for (std::size_t i = 0; i < readings.size(); ++i) {
+      if (isNext(readings, i)) {
+        const Reading& reading = readings[i];
         poses.push_back(
             {reading.stamp_ns, reading.antenna_in_map, PathPose::kNoWallCount, reading.robot});
       }
@@ -68,7 +78,7 @@ class Radios {
     add(recording.data.accepted, index_of);
     add(recording.data.refused, index_of);
     for (ByRadio* kind : {&signals, &others}) {
-      for (std::vector<Reading>& radio : *kind) {
+      for (ReadingRefs& radio : *kind) {
         if (!std::is_sorted(radio.begin(), radio.end(), earlier)) {  // sorting takes more memory
           std::stable_sort(radio.begin(), radio.end(), earlier);
         }
@@ -80,16 +90,16 @@ class Radios {
   ByRadio others;   // other numbers, which the mapper refuses
 
  private:
-  void add(const std::vector<Reading>& readings, const std::map<Bssid, std::size_t>& index_of) {
+  void add(const ReadingRefs& readings, const std::map<Bssid, std::size_t>& index_of) {
     for (const Reading& reading : readings) {
       const auto found = index_of.find(reading.bssid);
       if (found == index_of.end()) {
         continue;
       }
-      std::vector<Reading>& radio = (isSignal(reading) ? signals : others)[found->second];
-      if (radio.empty() || radio.back().stamp_ns != reading.stamp_ns ||
-          radio.back().robot != reading.robot) {  // else it is repeated
-        radio.push_back(reading);
+      ReadingRefs& radio = (isSignal(reading) ? signals : others)[found->second];
+      if (radio.empty() || radio.back().get().stamp_ns != reading.stamp_ns ||
+          radio.back().get().robot != reading.robot) {  // else it is repeated
+        radio.emplace_back(reading);
       }
     }
   }
@@ -128,21 +138,30 @@ void checkPoses(const CheckedRecording& recording, const ByRadio& signals,
   }
 }
 
-}  // namespace
-
-RecordingFindings checkRecording(const CheckedRecording& recording) {
+/// The checks that show which others make sense: of signals, then of poses.
+RecordingFindings checkBasics(const CheckedRecording& recording, Radios& radios) {
   RecordingFindings findings;
-  Radios radios(recording);
   findings.signal_unit = checkSignalUnit(recording.table, radios.signals, radios.others);
   if (!findings.signal_unit) {
     findings.sentinels = findSentinels(recording.table, radios.signals, radios.others);
-    for (std::vector<Reading>& radio : radios.signals) {
+    for (ReadingRefs& radio : radios.signals) {
+      if (findings.sentinels.empty()) {
+        break;
+      }
       eraseIf(radio, [&](const Reading& reading) {
         return isSentinel(findings.sentinels, reading.bssid, reading.rssi_dbm);
       });
     }
   }
   checkPoses(recording, radios.signals, findings);
+  return findings;
+}
+
+}  // namespace
+
+RecordingFindings checkRecording(const CheckedRecording& recording) {
+  Radios radios(recording);
+  RecordingFindings findings = checkBasics(recording, radios);
   const bool are_poses_right = !arePosesWrong(findings);
   if (!findings.signal_unit && are_poses_right) {
     findings.cached = checkCachedSignals(recording.table, radios.signals);
@@ -153,6 +172,11 @@ RecordingFindings checkRecording(const CheckedRecording& recording) {
     findings.gaps = checkGaps(recording.path, recording.max_gap_m);
   }
   return findings;
+}
+
+std::optional<UnitFinding> checkUnits(const CheckedRecording& recording) {
+  Radios radios(recording);
+  return checkBasics(recording, radios).units;
 }
 
 bool arePosesWrong(const RecordingFindings& findings) {

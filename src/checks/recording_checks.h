@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "checks/recording_data.h"
@@ -21,6 +22,9 @@ struct CheckedRecording {
 /// Runs all checks that need nothing but the recording. Checks whose result another fault would
 /// spoil are left out. O(readings log readings)
 RecordingFindings checkRecording(const CheckedRecording& recording);
+
+/// The same finding on units as checkRecording gives, without the other checks.
+std::optional<UnitFinding> checkUnits(const CheckedRecording& recording);
 
 /// Whether a fault spoils the whole path: units, stamps, or two places at once.
 bool arePosesWrong(const RecordingFindings& findings);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <unordered_map>
 
 #include "base/erase_if.h"
 #include "checks/quantile.h"
@@ -18,12 +19,12 @@ constexpr std::size_t kMostValues = 4;       // of one access point
 
 using Counts = std::map<double, std::size_t>;  // readings of each value
 
-Counts countsOf(const std::vector<Reading>& readings) {
-  Counts counts;
+Counts countsOf(const ReadingRefs& readings) {
+  std::unordered_map<double, std::size_t> unordered;  // readings are many, and values few
   for (const Reading& reading : readings) {
-    ++counts[reading.rssi_dbm];
+    ++unordered[reading.rssi_dbm];
   }
-  return counts;
+  return {unordered.begin(), unordered.end()};
 }
 
 /// Readings of other values within a distance.
@@ -53,7 +54,7 @@ struct Occurrence {
   double usual_jump_db = 0.0;  // median distance to these
 };
 
-Occurrence occurrenceOf(double value, const std::vector<Reading>& readings) {
+Occurrence occurrenceOf(double value, const ReadingRefs& readings) {
   constexpr double kSamePlace = 1.0;  // [m]
   Occurrence occurrence;
   Box places;
@@ -95,7 +96,7 @@ bool isWellKnown(double value) {
 
 /// Whether all signals but those of the value are far from it.
 bool isFarFromTheRest(double value, std::size_t count, const Counts& counts,
-                      const std::vector<Reading>& readings) {
+                      const ReadingRefs& readings) {
   constexpr double kFewInBetween = 0.1;  // of the count
   constexpr std::size_t kFewestRuns = 3;
   constexpr std::size_t kFewestOthers = 20;
@@ -117,7 +118,7 @@ bool isFarFromTheRest(double value, std::size_t count, const Counts& counts,
 
 /// Whether the value interrupts signals of another strength again and again.
 bool isOutOfPlace(double value, std::size_t count, const Counts& counts,
-                  const std::vector<Reading>& readings) {
+                  const ReadingRefs& readings) {
   constexpr double kManyOfAll = 0.02;
   constexpr std::size_t kTimesMore = 3;  // than of any value nearby
   constexpr double kNearby = 5.0;        // [dB]
@@ -132,7 +133,7 @@ bool isOutOfPlace(double value, std::size_t count, const Counts& counts,
 }
 
 /// The most frequent value that stands for "not heard".
-std::optional<double> sentinelOf(const std::vector<Reading>& readings) {
+std::optional<double> sentinelOf(const ReadingRefs& readings) {
   constexpr double kLeastShare = 0.005;
   if (readings.size() < kFewestReadings) {
     return std::nullopt;
@@ -152,7 +153,7 @@ std::optional<double> sentinelOf(const std::vector<Reading>& readings) {
 }
 
 /// The value of nearly all signals that the mapper refused.
-std::optional<double> refusedSentinelOf(const std::vector<Reading>& refused, std::size_t accepted) {
+std::optional<double> refusedSentinelOf(const ReadingRefs& refused, std::size_t accepted) {
   constexpr double kNearlyAll = 0.8;
   constexpr double kPercent = 100.0;
   if (refused.size() < kFewest) {
@@ -179,19 +180,19 @@ void add(double value, const Bssid& bssid, std::size_t count, Findings& findings
   finding.radios.push_back(bssid);
 }
 
-std::size_t countOf(double value, const std::vector<Reading>& readings) {
+std::size_t countOf(double value, const ReadingRefs& readings) {
   return static_cast<std::size_t>(
       std::count_if(readings.begin(), readings.end(),
                     [&](const Reading& reading) { return reading.rssi_dbm == value; }));
 }
 
-void removeValue(double value, std::vector<Reading>& readings) {
+void removeValue(double value, ReadingRefs& readings) {
   eraseIf(readings, [&](const Reading& reading) { return reading.rssi_dbm == value; });
 }
 
 /// The access points with too few readings of a value to show by themselves what it stands for.
-void addOthers(const std::vector<AccessPoint>& table,
-               const std::vector<std::vector<Reading>>& readings, Findings& findings) {
+void addOthers(const std::vector<AccessPoint>& table, const std::vector<ReadingRefs>& readings,
+               Findings& findings) {
   for (auto& [value, finding] : findings) {
     const std::vector<Bssid> known = finding.radios;
     for (std::size_t i = 0; i < table.size(); ++i) {
@@ -207,12 +208,12 @@ void addOthers(const std::vector<AccessPoint>& table,
 }  // namespace
 
 std::vector<SentinelFinding> findSentinels(const std::vector<AccessPoint>& table,
-                                           const std::vector<std::vector<Reading>>& readings,
-                                           const std::vector<std::vector<Reading>>& refused) {
+                                           const std::vector<ReadingRefs>& readings,
+                                           const std::vector<ReadingRefs>& refused) {
   Findings findings;
   for (std::size_t i = 0; i < table.size(); ++i) {
     std::optional<double> value = sentinelOf(readings[i]);
-    std::vector<Reading> rest;  // the others
+    ReadingRefs rest;  // the others
     if (value) {
       rest = readings[i];
     }

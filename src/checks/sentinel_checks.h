@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/reading_refs.h"
 #include "structure_from_wifi/recording_findings.h"
 #include "structure_from_wifi/types.h"
 
@@ -18,8 +19,8 @@ namespace sfw {
 /// @param refused   of each access point, with signals that it refuses
 /// O(readings log readings)
 std::vector<SentinelFinding> findSentinels(const std::vector<AccessPoint>& table,
-                                           const std::vector<std::vector<Reading>>& readings,
-                                           const std::vector<std::vector<Reading>>& refused);
+                                           const std::vector<ReadingRefs>& readings,
+                                           const std::vector<ReadingRefs>& refused);
 
 /// Whether a reading of a radio has such a value.
 bool isSentinel(const std::vector<SentinelFinding>& sentinels, const Bssid& bssid, double rssi_dbm);

@@ -12,7 +12,7 @@ namespace sfw {
 namespace {
 
 using Scale = SignalUnitFinding::Scale;
-using Readings = std::vector<Reading>;
+using Readings = ReadingRefs;
 
 /// Whether most signals of an access point are refused, and not for one value alone.
 bool isOtherUnit(const Readings& accepted, const Readings& refused) {
@@ -49,7 +49,7 @@ double correlationWithDistance(const Readings& readings, const Position& access_
   double value_squares = 0.0;
   double distance_squares = 0.0;
   for (std::size_t i = 0; i < readings.size(); ++i) {
-    const double value = readings[i].rssi_dbm - mean_value;
+    const double value = readings[i].get().rssi_dbm - mean_value;
     const double distance = distances[i] - mean_distance;
     product += value * distance;
     value_squares += value * value;
@@ -95,11 +95,13 @@ Repetition repetitionOf(const Readings& readings) {
   constexpr double kDrives = 0.005;  // [m] from one reading to the next
   Repetition repetition;
   for (std::size_t i = 1; i < readings.size(); ++i) {
-    const double way = (readings[i].antenna_in_map - readings[i - 1].antenna_in_map).norm();
-    if (way < kDrives || readings[i].robot != readings[i - 1].robot) {
+    const Reading& before = readings[i - 1];
+    const Reading& reading = readings[i];
+    const double way = (reading.antenna_in_map - before.antenna_in_map).norm();
+    if (way < kDrives || reading.robot != before.robot) {
       continue;
     }
-    const double change = std::abs(readings[i].rssi_dbm - readings[i - 1].rssi_dbm);
+    const double change = std::abs(reading.rssi_dbm - before.rssi_dbm);
     ++repetition.pairs;
     repetition.way_m += way;
     if (change > 0.0) {
@@ -140,12 +142,14 @@ std::optional<SignalUnitFinding> checkSignalUnit(const std::vector<AccessPoint>&
       continue;
     }
     scales.insert(scaleOf(table[i], refused[i]));
-    const auto [lowest, highest] =
-        std::minmax_element(refused[i].begin(), refused[i].end(),
-                            [](const auto& a, const auto& b) { return a.rssi_dbm < b.rssi_dbm; });
+    const auto [lowest, highest] = std::minmax_element(
+        refused[i].begin(), refused[i].end(),
+        [](const Reading& a, const Reading& b) { return a.rssi_dbm < b.rssi_dbm; });
     const bool is_first = finding.radios.empty();
-    finding.lowest = is_first ? lowest->rssi_dbm : std::min(finding.lowest, lowest->rssi_dbm);
-    finding.highest = is_first ? highest->rssi_dbm : std::max(finding.highest, highest->rssi_dbm);
+    finding.lowest =
+        is_first ? lowest->get().rssi_dbm : std::min(finding.lowest, lowest->get().rssi_dbm);
+    finding.highest =
+        is_first ? highest->get().rssi_dbm : std::max(finding.highest, highest->get().rssi_dbm);
     finding.readings += refused[i].size();
     finding.radios.push_back(table[i].bssid);
   }

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/reading_refs.h"
 #include "structure_from_wifi/recording_findings.h"
 #include "structure_from_wifi/types.h"
 
@@ -14,8 +15,8 @@ namespace sfw {
 /// @param refused   signals of each access point that it refuses
 /// O(readings)
 std::optional<SignalUnitFinding> checkSignalUnit(const std::vector<AccessPoint>& table,
-                                                 const std::vector<std::vector<Reading>>& accepted,
-                                                 const std::vector<std::vector<Reading>>& refused);
+                                                 const std::vector<ReadingRefs>& accepted,
+                                                 const std::vector<ReadingRefs>& refused);
 
 /// Finds access points whose signals are repeated from a cache while the robot drives.
 ///
@@ -24,6 +25,6 @@ std::optional<SignalUnitFinding> checkSignalUnit(const std::vector<AccessPoint>&
 /// @param readings  of each access point, by stamp
 /// O(readings)
 std::optional<CachedFinding> checkCachedSignals(const std::vector<AccessPoint>& table,
-                                                const std::vector<std::vector<Reading>>& readings);
+                                                const std::vector<ReadingRefs>& readings);
 
 }  // namespace sfw

@@ -29,7 +29,7 @@ struct Bursts {
 };
 
 /// @param readings  of one access point by one robot
-Bursts burstsOf(const std::vector<Reading>& readings) {
+Bursts burstsOf(const ReadingRefs& readings) {
   constexpr std::size_t kFewestReadings = 20;
   constexpr double kAtOnce = 0.05;     // [s]
   constexpr double kOfUsual = 0.25;    // of the mean time between readings
@@ -39,20 +39,30 @@ Bursts burstsOf(const std::vector<Reading>& readings) {
     return bursts;
   }
   const auto steps = static_cast<double>(readings.size() - 1);
-  const double mean = seconds(readings.front().stamp_ns, readings.back().stamp_ns) / steps;
-  std::size_t first = 0;  // of the burst
+  const double mean =
+      seconds(readings.front().get().stamp_ns, readings.back().get().stamp_ns) / steps;
+  const auto isAtOnce = [&](std::size_t i) {  // with the reading before
+    const double time = seconds(readings[i - 1].get().stamp_ns, readings[i].get().stamp_ns);
+    return time <= std::min(kAtOnce, kOfUsual * mean);
+  };
   std::size_t at_once = 0;
   for (std::size_t i = 1; i < readings.size(); ++i) {
-    const double time = seconds(readings[i - 1].stamp_ns, readings[i].stamp_ns);
-    if (time <= std::min(kAtOnce, kOfUsual * mean)) {
-      ++at_once;
-      continue;
-    }
-    bursts.periods_s.push_back(seconds(readings[first].stamp_ns, readings[i].stamp_ns));
-    bursts.ways_m.push_back(distance(readings[i - 1].antenna_in_map, readings[i].antenna_in_map));
-    first = i;
+    at_once += isAtOnce(i) ? 1 : 0;
   }
-  return static_cast<double>(at_once) >= kMostAtOnce * steps ? bursts : Bursts{};
+  if (static_cast<double>(at_once) < kMostAtOnce * steps) {
+    return bursts;
+  }
+  std::size_t first = 0;  // of the burst
+  for (std::size_t i = 1; i < readings.size(); ++i) {
+    if (!isAtOnce(i)) {
+      const Reading& before = readings[i - 1];
+      const Reading& reading = readings[i];
+      bursts.periods_s.push_back(seconds(readings[first].get().stamp_ns, reading.stamp_ns));
+      bursts.ways_m.push_back(distance(before.antenna_in_map, reading.antenna_in_map));
+      first = i;
+    }
+  }
+  return bursts;
 }
 
 }  // namespace
@@ -87,16 +97,16 @@ std::optional<OverlapFinding> checkOverlap(const std::vector<PathPose>& poses,
   return finding;
 }
 
-std::optional<BurstFinding> checkBursts(const std::vector<std::vector<Reading>>& readings) {
+std::optional<BurstFinding> checkBursts(const std::vector<ReadingRefs>& readings) {
   constexpr double kFarApart = 0.5;  // [m]
   Bursts all;
   std::size_t in_bursts = 0;
   std::size_t examined = 0;
-  for (const std::vector<Reading>& radio : readings) {
+  for (const ReadingRefs& radio : readings) {
     for (auto begin = radio.begin(); begin != radio.end();) {
-      const auto end = std::find_if(begin, radio.end(),
-                                    [&](const Reading& one) { return one.robot != begin->robot; });
-      const std::vector<Reading> one_robot(begin, end);
+      const auto end = std::find_if(
+          begin, radio.end(), [&](const Reading& one) { return one.robot != begin->get().robot; });
+      const ReadingRefs one_robot(begin, end);
       const Bursts bursts = burstsOf(one_robot);
       all.periods_s.insert(all.periods_s.end(), bursts.periods_s.begin(), bursts.periods_s.end());
       all.ways_m.insert(all.ways_m.end(), bursts.ways_m.begin(), bursts.ways_m.end());

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/reading_refs.h"
 #include "structure_from_wifi/recording_findings.h"
 #include "structure_from_wifi/types.h"
 
@@ -20,7 +21,7 @@ std::optional<OverlapFinding> checkOverlap(const std::vector<PathPose>& poses,
 /// Finds readings that come in bursts, because a driver delivers several at once and late.
 /// @param readings  of each access point, by robot and stamp
 /// O(readings)
-std::optional<BurstFinding> checkBursts(const std::vector<std::vector<Reading>>& readings);
+std::optional<BurstFinding> checkBursts(const std::vector<ReadingRefs>& readings);
 
 /// Finds steps of the path that are longer than path/max_gap, if they are a large part of the way.
 /// @param path  by robot and stamp

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "checks/quantile.h"
 
@@ -130,7 +131,7 @@ std::optional<UnitFinding> checkUnits(const std::vector<PathPose>& poses,
 }
 
 std::optional<double> powerAtOneUnit(const std::vector<AccessPoint>& access_points,
-                                     const std::vector<std::vector<Reading>>& readings) {
+                                     const std::vector<ReadingRefs>& readings) {
   constexpr std::size_t kFewestReadings = 50;
   constexpr double kNearest = 0.3;
   constexpr double kBeside = 0.5;  // of the extent: a farther position is wrong, or of another unit
@@ -145,9 +146,17 @@ std::optional<double> powerAtOneUnit(const std::vector<AccessPoint>& access_poin
   }
   const Position margin = Position::Constant(kBeside * path.diagonal().norm());
   const Box near_path(path.min() - margin, path.max() + margin);
-  std::vector<double> powers;
+  const auto isNear = [&](std::size_t i) {
+    return access_points[i].position_known && near_path.contains(access_points[i].position);
+  };
+  std::size_t count = 0;
   for (std::size_t i = 0; i < readings.size(); ++i) {
-    if (!access_points[i].position_known || !near_path.contains(access_points[i].position)) {
+    count += isNear(i) ? readings[i].size() : 0;
+  }
+  std::vector<double> powers;
+  powers.reserve(count);
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    if (!isNear(i)) {
       continue;
     }
     for (const Reading& reading : readings[i]) {
@@ -155,7 +164,7 @@ std::optional<double> powerAtOneUnit(const std::vector<AccessPoint>& access_poin
       powers.push_back(reading.rssi_dbm + 20.0 * std::log10(std::max(kNearest, distance)));
     }
   }
-  return powers.size() < kFewestReadings ? std::nullopt : std::optional(quantile(powers, 0.95));
+  return count < kFewestReadings ? std::nullopt : std::optional(quantile(std::move(powers), 0.95));
 }
 
 }  // namespace sfw

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/reading_refs.h"
 #include "structure_from_wifi/recording_findings.h"
 #include "structure_from_wifi/types.h"
 
@@ -24,6 +25,6 @@ std::optional<UnitFinding> checkUnits(const std::vector<PathPose>& poses,
 /// @param readings  of each access point; values that stand for "not heard" are left out already
 /// @return nothing if fewer than 50 readings belong to such access points. O(readings)
 std::optional<double> powerAtOneUnit(const std::vector<AccessPoint>& access_points,
-                                     const std::vector<std::vector<Reading>>& readings);
+                                     const std::vector<ReadingRefs>& readings);
 
 }  // namespace sfw

@@ -60,7 +60,7 @@ std::optional<std::string> noteOnUnits(const std::vector<Reading>& readings,
                                        const Config& config) {
   const RecordingData data{sortedByStamp(readings), {}, 0};
   RecordingFindings units;
-  units.units = checkRecording({data, table, {}, 0, config.path.max_gap_m}).units;
+  units.units = checkUnits({data, table, {}, 0, config.path.max_gap_m});
   std::vector<MapNote> notes;
   addNotesOnRecording(units, notes);
   return notes.empty() ? std::nullopt : std::optional(notes.front().text);
@@ -88,6 +88,7 @@ Mapper mapperFor(const RecordingOptions& options, const std::vector<Reading>& re
 }
 
 void insertReadings(const ReadingFile& file, Mapper& mapper) {
+  mapper.reserve(file.readings.size());
   for (const Reading& reading : file.readings) {
     mapper.insert(reading);
   }

@@ -45,7 +45,7 @@ std::optional<RowFault> PoseTrack::locate(Reading& reading) {
   const std::string detail = "stamp " + secondsText(stamp_ns);
   const auto track = tracks_.find(reading.robot);
   if (track == tracks_.end()) {
-    return RowFault{"the path has no pose of its robot", "robot '" + reading.robot + "'"};
+    return RowFault{"the path has no pose of its robot", "robot '" + reading.robot.str() + "'"};
   }
   const std::vector<Pose>& poses = track->second;
   if (stamp_ns < poses.front().stamp_ns || stamp_ns > poses.back().stamp_ns) {

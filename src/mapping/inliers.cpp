@@ -17,22 +17,19 @@
 namespace sfw {
 namespace {
 
-/// Readings that another list holds: copies would take much memory.
-using ReadingPointers = std::vector<const Reading*>;
-
 bool isStampedAlike(const Reading& a, const Reading& b) {
   return a.stamp_ns == b.stamp_ns && a.bssid == b.bssid && a.robot == b.robot;
 }
 
 /// Counts the readings that are weaker than another one of their radio and stamp, and were taken at
 /// another position.
-std::size_t countStampedAlike(const std::vector<Reading>& sorted) {
+std::size_t countStampedAlike(const ReadingRefs& sorted) {
   std::size_t count = 0;
   std::size_t strongest = 0;
   for (std::size_t i = 1; i < sorted.size(); ++i) {
     if (!isStampedAlike(sorted[strongest], sorted[i])) {
       strongest = i;
-    } else if (sorted[strongest].antenna_in_map != sorted[i].antenna_in_map) {
+    } else if (sorted[strongest].get().antenna_in_map != sorted[i].get().antenna_in_map) {
       ++count;
     }
   }
@@ -49,12 +46,19 @@ bool isAt(const Reading& reading, const PathPose& pose) {
          reading.robot == pose.robot;
 }
 
-std::vector<PathPose> pathOf(const ReadingPointers& readings) {
+std::vector<PathPose> pathOf(const ReadingRefs& readings) {
+  const auto isNext = [&](std::size_t i) {  // readings of one scan share a pose
+    return i == 0 || !isAt(readings[i], poseOf(readings[i - 1]));
+  };
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    count += isNext(i) ? 1 : 0;
+  }
   std::vector<PathPose> path;
-  for (const Reading* reading : readings) {
-    // Readings of one scan share a pose.
-    if (path.empty() || !isAt(*reading, path.back())) {
-      path.push_back(poseOf(*reading));
+  path.reserve(count);
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    if (isNext(i)) {
+      path.push_back(poseOf(readings[i]));
     }
   }
   return sortedPath(std::move(path));
@@ -115,9 +119,9 @@ PathMotion motionOf(const std::vector<PathPose>& path) {
 }
 
 /// Removes the stray poses of a robot's path, and its readings and contacts at them.
-void removeStray(const std::vector<bool>& stray, ReadingPointers& readings,
+void removeStray(const std::vector<bool>& stray, ReadingRefs& readings,
                  std::vector<Contact>& contacts, std::vector<PathPose>& path) {
-  eraseIf(readings, [&](const Reading* reading) { return stray[poseIndex(*reading, path)]; });
+  eraseIf(readings, [&](const Reading& reading) { return stray[poseIndex(reading, path)]; });
   eraseIf(contacts, [&](const Contact& contact) {
     return contact.robot == path.front().robot && stray[poseAt(contact.stamp_ns, path)];
   });
@@ -125,13 +129,23 @@ void removeStray(const std::vector<bool>& stray, ReadingPointers& readings,
   eraseIf(path, [&](const PathPose&) { return stray[i++]; });
 }
 
-std::vector<AccessPointReadings> byAccessPoint(const ReadingPointers& readings,
+std::vector<AccessPointReadings> byAccessPoint(const ReadingRefs& readings,
                                                const std::vector<PathPose>& path,
                                                const std::map<Bssid, std::size_t>& index_of) {
   std::vector<AccessPointReadings> all(index_of.size());
+  std::vector<std::size_t> count(all.size());  // lists that grow would take twice the memory
+  for (const Reading& reading : readings) {
+    const auto found = index_of.find(reading.bssid);
+    if (found != index_of.end()) {
+      ++count[found->second];
+    }
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    all[i].samples.reserve(count[i]);
+    all[i].poses.reserve(count[i]);
+  }
   std::size_t pose = 0;
-  for (const Reading* pointer : readings) {
-    const Reading& reading = *pointer;
+  for (const Reading& reading : readings) {
     const auto found = index_of.find(reading.bssid);
     if (found != index_of.end()) {
       AccessPointReadings& one = all[found->second];
@@ -140,7 +154,7 @@ std::vector<AccessPointReadings> byAccessPoint(const ReadingPointers& readings,
       pose = isAt(reading, path[pose])                                 ? pose
              : pose + 1 < path.size() && isAt(reading, path[pose + 1]) ? pose + 1
                                                                        : poseIndex(reading, path);
-      one.poses.push_back(pose);
+      one.poses.push_back(static_cast<std::uint32_t>(pose));
     }
   }
   return all;
@@ -148,7 +162,7 @@ std::vector<AccessPointReadings> byAccessPoint(const ReadingPointers& readings,
 
 /// The data of one robot without its stray poses.
 struct RobotDrive {
-  ReadingPointers readings;
+  ReadingRefs readings;
   std::vector<PathPose> path;
   StrayPoses stray;
   PathMotion motion;
@@ -157,7 +171,7 @@ struct RobotDrive {
 /// @param readings  of one robot, by stamp
 /// @param poses     of the same robot, as sortedPath returns them
 /// @param contacts  of all robots; those at stray poses of this one are removed
-RobotDrive driveOf(ReadingPointers readings, const std::vector<PathPose>& poses,
+RobotDrive driveOf(ReadingRefs readings, const std::vector<PathPose>& poses,
                    std::vector<Contact>& contacts) {
   RobotDrive drive;
   drive.readings = std::move(readings);
@@ -196,21 +210,20 @@ void add(const PathMotion& other, PathMotion& sum) {
 /// The items of one robot, in their order.
 /// @param robotOf  the robot of an item
 template <class Item, class RobotOf>
-std::vector<Item> ofRobot(const std::string& robot, const std::vector<Item>& items,
-                          const RobotOf& robotOf) {
+std::vector<Item> ofRobot(RobotName robot, const std::vector<Item>& items, const RobotOf& robotOf) {
   std::vector<Item> own;
   std::copy_if(items.begin(), items.end(), std::back_inserter(own),
                [&](const Item& item) { return robotOf(item) == robot; });
   return own;
 }
 
-/// Points to the first reading of each radio by each robot at each stamp.
-ReadingPointers strongestOf(const std::vector<Reading>& sorted) {
-  ReadingPointers strongest;
+/// The first reading of each radio by each robot at each stamp.
+ReadingRefs strongestOf(const ReadingRefs& sorted) {
+  ReadingRefs strongest;
   strongest.reserve(sorted.size());
   for (const Reading& reading : sorted) {
-    if (strongest.empty() || !isStampedAlike(*strongest.back(), reading)) {
-      strongest.push_back(&reading);
+    if (strongest.empty() || !isStampedAlike(strongest.back(), reading)) {
+      strongest.emplace_back(reading);
     }
   }
   return strongest;
@@ -226,14 +239,12 @@ void append(std::vector<Item>&& items, std::vector<Item>& all) {
   }
 }
 
-std::set<std::string> robotsOf(const ReadingPointers& readings) {
-  std::set<std::string> robots;
-  const Reading* last = nullptr;
-  for (const Reading* reading : readings) {
-    if (last == nullptr || last->robot != reading->robot) {
-      robots.insert(reading->robot);
+std::set<RobotName> robotsOf(const ReadingRefs& readings) {
+  std::set<RobotName> robots;
+  for (const Reading& reading : readings) {
+    if (robots.empty() || reading.robot != *robots.rbegin()) {
+      robots.insert(reading.robot);
     }
-    last = reading;
   }
   return robots;
 }
@@ -317,48 +328,59 @@ std::vector<Position> positionsOf(const std::vector<PathPose>& path, double max_
   return positions;
 }
 
-std::vector<Reading> sortedByStamp(std::vector<Reading> readings) {
+ReadingRefs sortedByStamp(const std::vector<Reading>& readings) {
   const auto full_order = [](const Reading& r) {
-    return std::make_tuple(r.stamp_ns, r.bssid, std::cref(r.robot), -r.rssi_dbm,
-                           r.antenna_in_map.x(), r.antenna_in_map.y());
+    return std::make_tuple(r.stamp_ns, r.bssid, r.robot, -r.rssi_dbm, r.antenna_in_map.x(),
+                           r.antenna_in_map.y());
   };
   const auto isBefore = [&](const Reading& a, const Reading& b) {
     return a.stamp_ns != b.stamp_ns ? a.stamp_ns < b.stamp_ns : full_order(a) < full_order(b);
   };
-  if (!std::is_sorted(readings.begin(), readings.end(), isBefore)) {  // they often come sorted
-    std::sort(readings.begin(), readings.end(), isBefore);
+  ReadingRefs sorted(readings.begin(), readings.end());
+  if (!std::is_sorted(sorted.begin(), sorted.end(), isBefore)) {  // they often come sorted
+    std::sort(sorted.begin(), sorted.end(), isBefore);
   }
-  return readings;
-}
-
-std::vector<Reading> strongestOfEachStamp(std::vector<Reading> sorted) {
-  sorted.erase(std::unique(sorted.begin(), sorted.end(), isStampedAlike), sorted.end());
   return sorted;
 }
 
-Inliers withoutStrayPoses(const std::vector<Reading>& sorted, std::vector<Contact> contacts,
-                          const std::map<Bssid, std::size_t>& index_of,
-                          const std::vector<PathPose>& poses) {
-  Inliers inliers;
+std::vector<Reading> strongestOfEachStamp(const ReadingRefs& sorted) {
+  const ReadingRefs strongest = strongestOf(sorted);
+  return {strongest.begin(), strongest.end()};
+}
+
+InlierReadings readingsWithoutStrayPoses(const ReadingRefs& sorted, std::vector<Contact> contacts,
+                                         const std::vector<PathPose>& poses) {
+  InlierReadings found;
+  Inliers& inliers = found.inliers;
   inliers.stamped_alike = countStampedAlike(sorted);
-  ReadingPointers readings = strongestOf(sorted);
+  ReadingRefs readings = strongestOf(sorted);
   inliers.contacts = std::move(contacts);
   const std::vector<PathPose> sorted_poses = sortedPath(poses);
-  ReadingPointers used;
-  const std::set<std::string> robots = robotsOf(readings);
-  const auto robotOfReading = [](const Reading* one) -> const std::string& { return one->robot; };
-  const auto robotOfPose = [](const PathPose& pose) -> const std::string& { return pose.robot; };
-  for (const std::string& robot : robots) {
+  const std::set<RobotName> robots = robotsOf(readings);
+  const auto robotOfReading = [](const Reading& one) { return one.robot; };
+  const auto robotOfPose = [](const PathPose& pose) { return pose.robot; };
+  for (const RobotName robot : robots) {
     RobotDrive drive =
         driveOf(robots.size() == 1 ? std::move(readings) : ofRobot(robot, readings, robotOfReading),
                 ofRobot(robot, sorted_poses, robotOfPose), inliers.contacts);
     add(drive.stray, inliers.stray);
     add(drive.motion, inliers.motion);
-    append(std::move(drive.readings), used);
+    append(std::move(drive.readings), found.used);
     append(std::move(drive.path), inliers.path);
   }
-  inliers.readings = byAccessPoint(used, inliers.path, index_of);
+  return found;
+}
+
+Inliers withSamples(InlierReadings readings, const std::map<Bssid, std::size_t>& index_of) {
+  Inliers inliers = std::move(readings.inliers);
+  inliers.readings = byAccessPoint(readings.used, inliers.path, index_of);
   return inliers;
+}
+
+Inliers withoutStrayPoses(const ReadingRefs& sorted, std::vector<Contact> contacts,
+                          const std::map<Bssid, std::size_t>& index_of,
+                          const std::vector<PathPose>& poses) {
+  return withSamples(readingsWithoutStrayPoses(sorted, std::move(contacts), poses), index_of);
 }
 
 }  // namespace sfw

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <vector>
 
+#include "base/reading_refs.h"
 #include "structure_from_wifi/snapshot.h"
 #include "structure_from_wifi/types.h"
 
@@ -12,7 +14,7 @@ namespace sfw {
 /// The readings of one access point: robot by robot, in the order of stamps.
 struct AccessPointReadings {
   std::vector<Sample> samples;
-  std::vector<std::size_t> poses;  ///< index of each sample's pose in the path
+  std::vector<std::uint32_t> poses;  ///< index of each sample's pose in the path
 };
 
 /// The data of a map: all inserted data without stray poses and repeated readings.
@@ -25,13 +27,26 @@ struct Inliers {
   std::size_t stamped_alike = 0;  ///< as Snapshot::stamped_alike
 };
 
+/// Inliers whose samples wait in the readings that they come from: robot by robot, by stamp.
+struct InlierReadings {
+  Inliers inliers;  ///< with an empty list `readings`
+  ReadingRefs used;
+};
+
 /// Removes the readings and contacts at stray poses, and all but the strongest reading of each
 /// radio at each stamp. Each robot has a path of its own.
 /// @param sorted    all readings, as sortedByStamp returns them
-/// @param index_of  the index of each access point in the table; readings of others only add poses
 /// @param poses     of the path between readings, in any order; posesBetween selects from them
 /// O(n log n) for n readings and poses.
-Inliers withoutStrayPoses(const std::vector<Reading>& sorted, std::vector<Contact> contacts,
+InlierReadings readingsWithoutStrayPoses(const ReadingRefs& sorted, std::vector<Contact> contacts,
+                                         const std::vector<PathPose>& poses);
+
+/// Makes the samples of each access point.
+/// @param index_of  the index of each access point in the table; readings of others only add poses
+Inliers withSamples(InlierReadings readings, const std::map<Bssid, std::size_t>& index_of);
+
+/// Both in one: the data of a map.
+Inliers withoutStrayPoses(const ReadingRefs& sorted, std::vector<Contact> contacts,
                           const std::map<Bssid, std::size_t>& index_of,
                           const std::vector<PathPose>& poses = {});
 
@@ -61,10 +76,11 @@ void removeRepeated(std::vector<AccessPointReadings>& readings);
 std::vector<Position> positionsOf(const std::vector<PathPose>& path, double max_gap_m);
 
 /// Sorts readings by stamp, bssid and robot, the strongest first where all are equal.
-std::vector<Reading> sortedByStamp(std::vector<Reading> readings);
+/// The result refers to them.
+ReadingRefs sortedByStamp(const std::vector<Reading>& readings);
 
 /// Keeps the first reading of each radio by each robot at each stamp.
 /// @param sorted  as sortedByStamp returns them
-std::vector<Reading> strongestOfEachStamp(std::vector<Reading> sorted);
+std::vector<Reading> strongestOfEachStamp(const ReadingRefs& sorted);
 
 }  // namespace sfw

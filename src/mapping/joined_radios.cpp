@@ -1,6 +1,7 @@
 #include "mapping/joined_radios.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <numeric>
 #include <tuple>
@@ -11,10 +12,14 @@
 namespace sfw {
 namespace {
 
+/// The readings of each BSSID that may share a radio with another one; none of the others.
 std::vector<std::vector<Reading>> byStamp(const std::vector<AccessPoint>& table,
                                           const Inliers& inliers) {
   std::vector<std::vector<Reading>> all(table.size());
   for (std::size_t i = 0; i < table.size(); ++i) {
+    if (isAlone(i, table)) {
+      continue;
+    }
     const AccessPointReadings& own = inliers.readings[i];
     all[i].reserve(own.samples.size());
     for (std::size_t j = 0; j < own.samples.size(); ++j) {
@@ -45,7 +50,7 @@ AccessPointReadings meanOf(const std::vector<AccessPointReadings>& readings,
     Sample sample;
     double count = 0.0;
   };
-  std::map<std::size_t, Sum> by_pose;
+  std::map<std::uint32_t, Sum> by_pose;
   for (const auto& [member, offset_db] : members) {
     const AccessPointReadings& own = readings[member];
     for (std::size_t j = 0; j < own.samples.size(); ++j) {

@@ -1,3 +1,4 @@
+#include <cstdint>
 #include <utility>
 
 #include "k_visibility/rssi_filter.h"
@@ -28,7 +29,7 @@ WallCountModel fitted(const std::vector<double>& rssi_dbm, const Config::KVisibi
 }
 
 /// Where the samples of each robot end: the filter and the path must not join two robots.
-std::vector<std::size_t> endsOfRobots(const std::vector<std::size_t>& poses,
+std::vector<std::size_t> endsOfRobots(const std::vector<std::uint32_t>& poses,
                                       const std::vector<PathPose>& path) {
   std::vector<std::size_t> ends;
   for (std::size_t i = 1; i <= poses.size(); ++i) {
@@ -45,7 +46,7 @@ class KVisibilityMethod : public MapMethod {
  public:
   explicit KVisibilityMethod(const Config& config) : config_(config) {}
 
-  MethodResult infer(const GridGeometry& geometry, const Inliers& inliers,
+  MethodResult infer(const GridGeometry& geometry, Inliers& inliers,
                      const std::vector<AccessPointSummary>& access_points, UseRadio use_radio,
                      const std::atomic<bool>& stop) const override {
     std::vector<CountedPath> counted_paths;

@@ -33,10 +33,11 @@ class MapMethod {
   virtual ~MapMethod() = default;
 
   /// Infers a map on a grid.
+  /// @param inliers        the method may take the samples while it infers, and gives them back
   /// @param access_points  in the order of `inliers.readings`; the method ignores the readings of
   ///                       those without position
   /// @param stop           polled; once it is true, the result is incomplete
-  virtual MethodResult infer(const GridGeometry& geometry, const Inliers& inliers,
+  virtual MethodResult infer(const GridGeometry& geometry, Inliers& inliers,
                              const std::vector<AccessPointSummary>& access_points,
                              UseRadio use_radio, const std::atomic<bool>& stop) const = 0;
 };

@@ -73,16 +73,6 @@ void estimatePositions(const std::vector<std::size_t>& radio_of,
   }
 }
 
-/// The inliers of all data, and what the checks find in all data.
-std::pair<Inliers, RecordingFindings> checked(const ReadingStore& store, const Config& config) {
-  const RecordingData data = store.data();
-  Inliers inliers = store.inliers(data.accepted);
-  RecordingFindings findings = checkRecording(
-      {data, store.accessPoints(), inliers.path, inliers.stamped_alike, config.path.max_gap_m});
-  findings.frames = store.frames();
-  return {std::move(inliers), std::move(findings)};
-}
-
 /// The radios, if the readings are good enough to tell.
 JoinedRadios radiosOf(const std::vector<AccessPoint>& table, const RecordingFindings& findings,
                       Inliers& inliers) {
@@ -107,6 +97,24 @@ void setWallCounts(const std::vector<AccessPointReadings>& readings,
 }
 
 }  // namespace
+
+/// The inliers of all data, and what the checks find in all data.
+struct Mapper::Checked {
+  Inliers inliers;
+  RecordingFindings findings;
+
+  Checked(const ReadingStore& store, const Config& config) {
+    InlierReadings kept;
+    {
+      const RecordingData data = store.data();
+      kept = store.inliers(data.accepted);
+      findings = checkRecording({data, store.accessPoints(), kept.inliers.path,
+                                 kept.inliers.stamped_alike, config.path.max_gap_m});
+    }  // what the checks needed makes room for the samples
+    findings.frames = store.frames();
+    inliers = store.withSamples(std::move(kept));
+  }
+};
 
 Mapper::Mapper(const Config& config, const std::vector<AccessPoint>& access_points)
     : config_(config), method_(makeMapMethod(config)) {
@@ -137,6 +145,7 @@ void Mapper::configure(const Config& config) {
   method_ = std::move(method);
 }
 
+void Mapper::reserve(std::size_t readings) { store_->reserve(readings); }
 InsertResult Mapper::insert(const Reading& reading) { return store_->insert(reading); }
 InsertResult Mapper::insert(const Contact& contact) { return store_->insert(contact); }
 InsertResult Mapper::insertPose(std::int64_t stamp_ns, const Position& antenna_in_map,
@@ -163,7 +172,7 @@ void Mapper::correct(
   store_->correct(moved);
 }
 
-Box Mapper::extent() const { return store_->extentOf(store_->inliers()); }
+Box Mapper::extent() const { return store_->extent(); }
 void Mapper::growTo(const Box& extent) { store_->growTo(extent); }
 void Mapper::reset() { store_->reset(); }
 std::pair<std::size_t, std::size_t> Mapper::forget(
@@ -186,17 +195,24 @@ std::shared_ptr<const Snapshot> Mapper::infer() const {
 }
 
 std::shared_ptr<const Snapshot> Mapper::infer(const std::atomic<bool>& stop) const {
-  return infer(UseRadio::kYes, stop);
+  return mapOf({*store_, config_}, UseRadio::kYes, stop);
+}
+
+std::shared_ptr<const Snapshot> Mapper::inferLast(const std::atomic<bool>& stop) {
+  Checked data(*store_, config_);
+  store_->drop();
+  return mapOf(std::move(data), UseRadio::kYes, stop);
 }
 
 std::shared_ptr<const Snapshot> Mapper::inferWithoutRadio() const {
   const std::atomic<bool> never{false};
-  return infer(UseRadio::kNo, never);
+  return mapOf({*store_, config_}, UseRadio::kNo, never);
 }
 
-std::shared_ptr<const Snapshot> Mapper::infer(UseRadio use_radio,
+std::shared_ptr<const Snapshot> Mapper::mapOf(Checked data, UseRadio use_radio,
                                               const std::atomic<bool>& stop) const {
-  auto [inliers, findings] = checked(*store_, config_);
+  Inliers& inliers = data.inliers;
+  RecordingFindings& findings = data.findings;
   removeSentinels(findings.sentinels, store_->accessPoints(), inliers.readings);
   if (findings.cached) {
     removeRepeated(inliers.readings);

@@ -44,7 +44,7 @@ std::shared_ptr<const ReadingStore::Table> ReadingStore::makeTable(
 }
 
 InsertResult ReadingStore::makeRoomFor(const Position& point) {
-  return extent_.makeRoomFor(point, [this] { return extentOf(inliers()); });
+  return extent_.makeRoomFor(point, [this] { return extent(); });
 }
 
 bool ReadingStore::isInTable(const Bssid& bssid) {
@@ -66,6 +66,10 @@ bool ReadingStore::isInTable(const Bssid& bssid) {
       found);
   table_ = makeTable(access_points);
   return true;
+}
+
+void ReadingStore::reserve(std::size_t readings) {
+  readings_.reserve(std::min(readings, static_cast<std::size_t>(config_.max_readings)));
 }
 
 InsertResult ReadingStore::insert(const Reading& reading) {
@@ -210,12 +214,12 @@ void ReadingStore::dropWhatDoesNotFit() {
     return point.allFinite() ? InsertResult::kAccepted : InsertResult::kPositionNotFinite;
   });
   // Stray poses are found on the whole corrected path, before any reading is dropped.
-  extent_.release(extentOf(inliers()));
+  extent_.release(extent());
   filter([&](const Position& point) { return extent_.reserve(point); });
 }
 
 void ReadingStore::reset() {
-  extent_.restart(extentOf(inliers()));
+  extent_.restart(extent());
   readings_.clear();
   contacts_.clear();
   poses_.clear();
@@ -232,9 +236,15 @@ void ReadingStore::reset() {
   frames_ = {};
 }
 
+void ReadingStore::drop() {
+  readings_ = std::vector<Reading>();  // `= {}` would keep their memory
+  contacts_ = std::vector<Contact>();
+  poses_ = std::vector<PathPose>();
+}
+
 std::pair<std::size_t, std::size_t> ReadingStore::forget(
     const std::function<bool(std::int64_t, const Position&, const std::string&)>& test) {
-  extent_.growTo(extentOf(inliers()));
+  extent_.growTo(extent());
   const std::size_t readings = readings_.size();
   const std::size_t contacts = contacts_.size();
   eraseIf(readings_,
@@ -275,8 +285,12 @@ RecordingData ReadingStore::data() const {
   return {sortedByStamp(readings_), sortedByStamp(refused_), step_back_ns_};
 }
 
-Inliers ReadingStore::inliers(const std::vector<Reading>& sorted) const {
-  return withoutStrayPoses(sorted, contacts_, table_->index_of, poses_);
+InlierReadings ReadingStore::inliers(const ReadingRefs& sorted) const {
+  return readingsWithoutStrayPoses(sorted, contacts_, poses_);
+}
+
+Inliers ReadingStore::withSamples(InlierReadings readings) const {
+  return sfw::withSamples(std::move(readings), table_->index_of);
 }
 
 Box ReadingStore::extentOf(const Inliers& inliers) const {

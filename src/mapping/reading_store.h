@@ -29,6 +29,7 @@ class ReadingStore {
   /// @throw InputError if the table of access points cannot be used.
   ReadingStore(const Config::Map& config, const std::vector<AccessPoint>& access_points);
 
+  void reserve(std::size_t readings);
   InsertResult insert(const Reading& reading);
   InsertResult insert(const Contact& contact);
   InsertResult insertPose(std::int64_t stamp_ns, const Position& antenna_in_map,
@@ -37,6 +38,8 @@ class ReadingStore {
   void recordFrames(const FrameFinding& frames) { frames_ = frames; }
   void correct(
       const std::function<Position(std::int64_t, const Position&, const std::string&)>& moved);
+  /// Frees the memory of the readings, the path and the contacts. Counts and geometry stay.
+  void drop();
   void growTo(const Box& extent) { extent_.growTo(extent); }
   void reset();
   std::pair<std::size_t, std::size_t> forget(
@@ -57,18 +60,22 @@ class ReadingStore {
   /// The readings offered for each access point of the table, used or not.
   std::vector<std::size_t> heard() const;
 
-  /// Everything offered, for the checks. O(readings log readings).
+  /// Everything offered, for the checks. It refers to readings of this store, and is valid until
+  /// they change. O(readings log readings).
   RecordingData data() const;
 
-  /// The data of a map. O(readings log readings).
+  /// The data of a map. It refers to readings of this store, as data() does.
   /// @param sorted  all readings, as sortedByStamp returns them
-  /// @{
-  Inliers inliers(const std::vector<Reading>& sorted) const;
-  Inliers inliers() const { return inliers(sortedByStamp(readings_)); }
-  /// @}
+  InlierReadings inliers(const ReadingRefs& sorted) const;
+
+  /// The samples of each access point of the table.
+  Inliers withSamples(InlierReadings readings) const;
 
   /// The extent of a map of such data [m], without its margin.
   Box extentOf(const Inliers& inliers) const;
+
+  /// The extent of a map of all data [m], without its margin. O(readings log readings).
+  Box extent() const { return extentOf(inliers(sortedByStamp(readings_)).inliers); }
 
   /// The grid of a map with such an extent.
   /// @throw InputError if it would have more than map/max_cells cells.

@@ -57,16 +57,17 @@ class TomographyMethod : public MapMethod {
     }
   }
 
-  MethodResult infer(const GridGeometry& geometry, const Inliers& inliers,
+  MethodResult infer(const GridGeometry& geometry, Inliers& inliers,
                      const std::vector<AccessPointSummary>& access_points, UseRadio use_radio,
                      const std::atomic<bool>& stop) const override {
     DriveData drive{positionsOf(inliers.path, config_.path.max_gap_m), {}, inliers.contacts};
     std::vector<std::size_t> used;  // index of each access point in the drive
     for (std::size_t i = 0; i < access_points.size(); ++i) {
-      const std::vector<Sample>& samples = inliers.readings[i].samples;
+      std::vector<Sample>& samples = inliers.readings[i].samples;
       if (isPlaced(access_points[i]) && !samples.empty()) {
         const AccessPoint& access_point = access_points[i].access_point;
-        drive.access_points.push_back({access_point.position, access_point.height_m, samples});
+        drive.access_points.push_back(
+            {access_point.position, access_point.height_m, std::move(samples)});
         if (access_points[i].estimate) {
           drive.access_points.back().covariance_in_map = access_points[i].estimate->covariance;
         }
@@ -78,6 +79,7 @@ class TomographyMethod : public MapMethod {
     MethodResult result{std::move(fused.occupied), std::move(fused.probability)};
     result.walls.resize(access_points.size());
     for (std::size_t i = 0; i < used.size(); ++i) {
+      inliers.readings[used[i]].samples = std::move(drive.access_points[i].samples);
       result.walls[used[i]] = wallsOf(fused.sample_loss_db[i]);
     }
     result.wall_segments = std::move(fused.walls);

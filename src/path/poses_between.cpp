@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <tuple>
 
 #include "path/stray_poses.h"
@@ -11,7 +10,7 @@ namespace sfw {
 namespace {
 
 auto order(const PathPose& pose) {
-  return std::make_tuple(std::cref(pose.robot), pose.stamp_ns, pose.antenna_in_map.x(),
+  return std::make_tuple(pose.robot, pose.stamp_ns, pose.antenna_in_map.x(),
                          pose.antenna_in_map.y());
 }
 
@@ -19,8 +18,7 @@ auto order(const PathPose& pose) {
 
 bool isEarlier(const PathPose& a, const PathPose& b) {
   // Most poses differ in these two; poses are compared a lot.
-  const int robots = a.robot.compare(b.robot);
-  return robots != 0                ? robots < 0
+  return a.robot != b.robot         ? a.robot < b.robot
          : a.stamp_ns != b.stamp_ns ? a.stamp_ns < b.stamp_ns
                                     : order(a) < order(b);
 }

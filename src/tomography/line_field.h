@@ -30,12 +30,12 @@ struct LineLattice {
 
   /// Rotates a point [m] about the frame's origin to the lattice's axes.
   Position toLattice(const Position& in_building) const {
-    return yaw_rad == 0.0 ? in_building : Eigen::Rotation2Dd(-yaw_rad) * in_building;
+    return yaw_rad == 0.0 ? in_building : Position(Eigen::Rotation2Dd(-yaw_rad) * in_building);
   }
 
   /// The inverse of toLattice.
   Position toBuilding(const Position& in_lattice) const {
-    return yaw_rad == 0.0 ? in_lattice : Eigen::Rotation2Dd(yaw_rad) * in_lattice;
+    return yaw_rad == 0.0 ? in_lattice : Position(Eigen::Rotation2Dd(yaw_rad) * in_lattice);
   }
 };
 

@@ -22,9 +22,9 @@ TEST(Inliers, SortReadingsByAccessPointAndStamp) {
   ASSERT_EQ(inliers.readings[0].samples.size(), 2U);
   EXPECT_EQ(inliers.readings[0].samples[0].rssi_dbm, -70.0);
   EXPECT_EQ(inliers.readings[0].samples[1].rssi_dbm, -60.0);
-  EXPECT_EQ(inliers.readings[0].poses, (std::vector<std::size_t>{0, 1}));
+  EXPECT_EQ(inliers.readings[0].poses, (std::vector<std::uint32_t>{0, 1}));
   ASSERT_EQ(inliers.readings[1].samples.size(), 1U);
-  EXPECT_EQ(inliers.readings[1].poses, (std::vector<std::size_t>{1}));
+  EXPECT_EQ(inliers.readings[1].poses, (std::vector<std::uint32_t>{1}));
 }
 
 TEST(Inliers, TakeACachedValueOnce) {
@@ -39,7 +39,7 @@ TEST(Inliers, TakeACachedValueOnce) {
   Inliers inliers = inliersOf(readings);
   removeRepeated(inliers.readings);
   EXPECT_EQ(inliers.path.size(), values.size());
-  EXPECT_EQ(inliers.readings[0].poses, (std::vector<std::size_t>{0, 3, 5, 6}));
+  EXPECT_EQ(inliers.readings[0].poses, (std::vector<std::uint32_t>{0, 3, 5, 6}));
 }
 
 TEST(Inliers, LeaveOutStrayPosesWithTheirReadingsAndContacts) {

@@ -69,7 +69,7 @@ Mapper oneAfterTheOther(const Config& config) {
   }
   first.insert(first.end(), second.begin(), second.end());
   for (Reading& reading : first) {
-    reading.robot.clear();
+    reading.robot = {};
   }
   return mapperOf({first}, config);
 }
@@ -98,7 +98,7 @@ TEST(SeveralRobots, HaveNoFaultOfOneThatIsInTwoPlaces) {
   std::vector<std::vector<Reading>> nameless{driveOf("a"), driveOf("b")};
   for (std::vector<Reading>& drive : nameless) {
     for (Reading& reading : drive) {
-      reading.robot.clear();
+      reading.robot = {};
     }
   }
   const auto taken_for_one = mapperOf(nameless).infer();

@@ -1,11 +1,13 @@
 #include "cli/map/made_map.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <memory>
 #include <sstream>
+#include <utility>
 
 #include "cli/warnings.h"
 #include "output/moved.h"
@@ -42,10 +44,11 @@ void reportEstimates(const std::string& source, const std::vector<AccessPointSum
 }  // namespace
 
 void makeMap(const RecordingOptions& options, const std::string& directory) {
-  const LoadedRecording recording = loadRecording(options);
-  const std::shared_ptr<const Snapshot> made = recording.mapper.infer();
+  LoadedRecording recording = loadRecording(options);
+  const std::atomic<bool> never{false};
+  std::shared_ptr<const Snapshot> made = recording.mapper.inferLast(never);
   const DataFindings findings = moved(DataChecker().checkAll(*made), recording.offset);
-  const Snapshot snapshot = moved(*made, recording.offset);
+  const Snapshot snapshot = moved(*std::exchange(made, nullptr), recording.offset);
   const auto& found = snapshot.access_points;
   reportEstimates(recording.table, found);
   for (const MapNote& note : mapNotes(snapshot, findings)) {
