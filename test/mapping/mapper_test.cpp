@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <random>
 #include <string>
 
@@ -124,6 +125,24 @@ TEST(Mapper, FreesTheCellUnderARobotOnTheAccessPoint) {
   const auto snapshot = mapper.infer();
   EXPECT_EQ(stateAt(*snapshot, {1.0, 1.0}), CellState::kFree);
   EXPECT_EQ(snapshot->path.front().walls, 0);
+}
+
+TEST(Mapper, InfersItsLastMapWithoutKeepingReadings) {
+  const std::atomic<bool> never{false};
+  Mapper mapper = mapperOf(drive());
+  const std::uint64_t map = hashOf(*mapper.infer());
+  EXPECT_EQ(hashOf(*mapper.inferLast(never)), map);
+  EXPECT_TRUE(mapper.readings().empty());
+}
+
+TEST(Mapper, TakesAllReadingsWhateverRoomIsMade) {
+  const std::vector<Reading> readings = drive();
+  Mapper mapper = mapperOf({});
+  mapper.reserve(readings.size() / 2);
+  for (const Reading& one : readings) {
+    mapper.insert(one);
+  }
+  EXPECT_EQ(hashOf(mapper), hashOf(mapperOf(readings)));
 }
 
 TEST(Mapper, ReturnsNothingWhenStopped) {

@@ -48,11 +48,11 @@ inline std::uint64_t hashOf(const std::string& bytes) {
 }
 
 /// The hash of the states, probabilities and report of a map.
-inline std::uint64_t hashOf(const Mapper& mapper) {
-  const auto snapshot = mapper.infer();
-  return hashOf(trinaryPgm(snapshot->belief) + probabilityPgm(snapshot->probability) +
-                reportJson(*snapshot, Config()));
+inline std::uint64_t hashOf(const Snapshot& snapshot) {
+  return hashOf(trinaryPgm(snapshot.belief) + probabilityPgm(snapshot.probability) +
+                reportJson(snapshot, Config()));
 }
+inline std::uint64_t hashOf(const Mapper& mapper) { return hashOf(*mapper.infer()); }
 
 /// A drive along a wall at y = 0.5 that stands on the ray of every other pose.
 inline std::vector<Reading> drive() {
