@@ -13,10 +13,15 @@ namespace {
 /// Row and column of a square of the floor.
 using Square = std::pair<std::int64_t, std::int64_t>;
 
+/// The largest whole number that is not larger. Unlike std::floor, it is no call of a library.
+std::int64_t wholeBelow(double value) {
+  const auto whole = static_cast<std::int64_t>(value);
+  return whole - (static_cast<double>(whole) > value ? 1 : 0);
+}
+
 /// @param position  [m], building frame
 Square squareAt(const Position& position, double bin_size_m) {
-  return {static_cast<std::int64_t>(std::floor(position.y() / bin_size_m)),
-          static_cast<std::int64_t>(std::floor(position.x() / bin_size_m))};
+  return {wholeBelow(position.y() / bin_size_m), wholeBelow(position.x() / bin_size_m)};
 }
 
 /// Finds the items of samples in a map by squares. Most samples lie in the square of the one before

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <utility>
 
 #include "radio/nearest_neighbours.h"
@@ -37,18 +38,42 @@ std::vector<int> coarseToFine(std::size_t count) {
 }
 
 /// Adds the part of L' L v that comes from one row l of the factor L: l' (l v).
-template <class Row, class Scalar>
-void addRowProduct(const Row& row, const Scalar* values, Scalar* sums) {
+void addRowProduct(const ShadowingWhitener::Row<double>& row, const double* values, double* sums) {
   // Several sums are used, because each addition waits for the previous one.
   constexpr std::size_t kSums = 4;
-  std::array<Scalar, kSums> white{};
+  std::array<double, kSums> white{};
   for (std::size_t i = 0; i < row.index.size(); ++i) {
     white[i % kSums] += row.weight[i] * values[row.index[i]];
   }
-  const Scalar all = (white[0] + white[1]) + (white[2] + white[3]);
+  const double all = (white[0] + white[1]) + (white[2] + white[3]);
   for (std::size_t i = 0; i < row.index.size(); ++i) {
     sums[row.index[i]] += row.weight[i] * all;
   }
+}
+
+/// The same in single precision. Four products are calculated at once; the sums are those of above.
+void addRowProduct(const ShadowingWhitener::Row<float>& row, const float* values, float* sums) {
+  using Vector = float __attribute__((vector_size(16)));
+  constexpr std::size_t kLast = ShadowingWhitener::kNeighbours;
+  constexpr std::size_t kVectors = kLast / 4;
+  static_assert(kLast == 4 * kVectors, "one weight is left over");
+  const auto& index = row.index;
+  std::array<Vector, kVectors> weight;
+  std::memcpy(weight.data(), row.weight.data(), sizeof(weight));
+  Vector white{};
+  for (std::size_t i = 0; i < kVectors; ++i) {
+    white += weight[i] * Vector{values[index[4 * i]], values[index[4 * i + 1]],
+                                values[index[4 * i + 2]], values[index[4 * i + 3]]};
+  }
+  white[0] += row.weight[kLast] * values[index[kLast]];
+  const float all = (white[0] + white[1]) + (white[2] + white[3]);
+  for (std::size_t i = 0; i < kVectors; ++i) {
+    const Vector product = weight[i] * all;
+    for (std::size_t j = 0; j < 4; ++j) {
+      sums[index[4 * i + j]] += product[j];
+    }
+  }
+  sums[index[kLast]] += row.weight[kLast] * all;
 }
 
 /// Derivatives of the mean signals by the position of the access point along the axes of its

@@ -38,11 +38,34 @@ Eigen::ArrayXf Unknowns::continued() const {
   return continued;
 }
 
+namespace {
+
+/// At least as many pieces of wall as all rays cross.
+std::size_t mostCrossings(const std::vector<LineLattice>& lattices,
+                          const std::vector<AccessPointBins>& access_points) {
+  double lines = 0.0;
+  for (const LineLattice& lattice : lattices) {
+    for (const AccessPointBins& one : access_points) {
+      const Position from = lattice.toLattice(one.position);
+      for (const RadioBin& bin : one.bins) {
+        const Position way = lattice.toLattice(bin.position) - from;
+        lines += way.cwiseAbs().sum() / lattice.geometry.resolution() + 2.0;
+      }
+    }
+  }
+  return static_cast<std::size_t>(lines);
+}
+
+}  // namespace
+
 Rays::Rays(const std::vector<LineLattice>& lattices,
            const std::vector<AccessPointBins>& access_points, const std::vector<Mask>& driven,
            const std::atomic<bool>& stop)
     : unknowns_(lattices) {
   SparseSums::Choice crossed;  // slots by ray
+  const std::size_t most = mostCrossings(lattices, access_points);
+  crossed.sum.reserve(most);
+  crossed.term.reserve(most);
   for (const AccessPointBins& one : access_points) {
     for (const RadioBin& bin : one.bins) {
       if (stop) {
