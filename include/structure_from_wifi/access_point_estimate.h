@@ -7,7 +7,8 @@
 
 namespace sfw {
 
-/// The position of an access point, estimated from its readings.
+/// The position of an access point, estimated from its readings, and from its given position if
+/// that has a standard deviation.
 struct AccessPointEstimate {
   Position position = Position::Zero();                  ///< [m], map frame
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();  ///< [m2], about the position
@@ -22,10 +23,11 @@ struct AccessPointEstimate {
 
 /// Measures how well the readings of an access point fit its given position.
 struct AccessPointFit {
-  double residual_db = 0.0;      ///< root mean square distance of the bins' means to the fitted law
-  double log_ratio = 0.0;        ///< log likelihood of the estimate less that of the position, >= 0
-  double distance_m = 0.0;       ///< from the given position to the estimate
-  bool suspect = false;          ///< the readings contradict the given position
+  double residual_db = 0.0;  ///< root mean square distance of the bins' means to the fitted law
+  double log_ratio = 0.0;    ///< log likelihood of the estimate less that of the position, >= 0;
+                             ///< of a position with a deviation: see accessPointFit
+  double distance_m = 0.0;   ///< from the given position to the estimate
+  bool suspect = false;      ///< the readings contradict the given position
   AccessPointEstimate estimate;  ///< the position that fits the readings best
 };
 

@@ -18,7 +18,7 @@ struct AccessPointReading {
   std::vector<std::string> warnings;       ///< unknown keys
 };
 
-/// Reads `[{bssid, x?, y?, z?, name?, tx_dbm?}]`.
+/// Reads `[{bssid, x?, y?, position_sd?, z?, name?, tx_dbm?}]`.
 /// @throw InputError if the table is missing, or naming every unusable or repeated entry.
 SFW_EXPORT AccessPointReading accessPointsFromYaml(const YAML::Node& table);
 

@@ -53,9 +53,13 @@ struct AccessPointSummary {
   std::size_t readings = 0;                      ///< number of its readings that the map uses
   std::optional<WallCountClusters> wall_counts;  ///< only of method k_visibility
 
-  /// The estimated position if the table gives none; access_point.position has the same value then.
+  /// The estimated position if the table gives none, or only with a standard deviation;
+  /// access_point.position has the same value then.
   /// Without any position, the readings of the access point only add poses to the path.
   std::optional<AccessPointEstimate> estimate = {};
+
+  /// The position of the table [m], if the estimate replaces it in access_point.position.
+  std::optional<Position> given_position = {};
 
   double rssi_deviation_db = 0.0;  ///< standard deviation of its readings
 
@@ -78,12 +82,12 @@ inline bool hasPosition(const AccessPointSummary& summary) {
 /// With a larger one, the rays to the readings pass through other rooms than the signals.
 constexpr double kUsefulDeviationM = 3.0;
 
-/// Whether a map uses the readings of an access point: its position is given, or the standard
-/// deviations of the estimate are at most kUsefulDeviationM.
+/// Whether a map uses the readings of an access point: its position is given as exact, or the
+/// standard deviations of the estimate are at most kUsefulDeviationM.
 inline bool isPlaced(const AccessPointSummary& summary) {
-  return summary.access_point.position_known ||
-         (summary.estimate && summary.estimate->covariance.diagonal().maxCoeff() <=
-                                  kUsefulDeviationM * kUsefulDeviationM);
+  return summary.estimate ? summary.estimate->covariance.diagonal().maxCoeff() <=
+                                kUsefulDeviationM * kUsefulDeviationM
+                          : summary.access_point.position_known;
 }
 
 /// Share of the belief model's expert for each driving style; the shares sum to 1.

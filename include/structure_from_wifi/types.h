@@ -61,6 +61,10 @@ struct AccessPoint {
   std::optional<double> height_m;        ///< above the floor
   std::optional<double> tx_dbm;          ///< transmitted power
   bool position_known = true;            ///< false: the position is to be estimated
+
+  /// Standard deviation of the given position on each axis [m], above 0. With it, the position is
+  /// the mean of a Gaussian prior, and is estimated from the readings too. Empty: it is exact.
+  std::optional<double> position_sd_m = {};
 };
 
 /// Axis-aligned rectangle in the map frame [m].

@@ -76,36 +76,83 @@ std::vector<double> centresBetween(double low, double high, double edge_m) {
   return centres;
 }
 
+/// The part of an area, and of the margin around a given position, that a prior makes likely [m].
+Box likelyArea(const Box& area, const PositionPrior& prior) {
+  constexpr double kDeviations = 4.0;
+  const auto around = [&](double half_m) {
+    const Position half(half_m, half_m);
+    return Box(prior.mean - half, prior.mean + half);
+  };
+  return around(kDeviations * prior.deviation_m).intersection(area.merged(around(kMarginM)));
+}
+
+/// The log likelihood of positions, and of a prior if there is one.
+class LogPosterior {
+ public:
+  explicit LogPosterior(const AccessPointLikelihood& likelihood,
+                        std::optional<PositionPrior> prior = std::nullopt)
+      : likelihood_(likelihood), prior_(std::move(prior)) {}
+
+  const std::vector<RadioBin>& bins() const { return likelihood_.accessPoint().bins; }
+  bool hasPrior() const { return prior_.has_value(); }
+
+  /// The area of the search [m].
+  Box area() const {
+    const Box area = searchedArea(bins());
+    return prior_ ? likelyArea(area, *prior_) : area;
+  }
+
+  /// The edge of the largest patches [m].
+  double coarseCell() const {
+    return prior_ ? std::min(kCoarseCellM, 0.5 * prior_->deviation_m) : kCoarseCellM;
+  }
+
+  std::vector<double> at(const std::vector<Position>& positions) const {
+    std::vector<double> rated = likelihood_.at(positions);
+    for (std::size_t i = 0; prior_ && i < positions.size(); ++i) {
+      const double away = (positions[i] - prior_->mean).norm() / prior_->deviation_m;
+      rated[i] -= 0.5 * away * away;
+    }
+    return rated;
+  }
+
+  double at(const Position& position) const { return at(std::vector<Position>{position}).front(); }
+
+ private:
+  const AccessPointLikelihood& likelihood_;
+  std::optional<PositionPrior> prior_;
+};
+
 /// Sets the log likelihoods of all patches.
-void rate(const AccessPointLikelihood& likelihood, std::vector<Patch>& patches) {
+void rate(const LogPosterior& posterior, std::vector<Patch>& patches) {
   std::vector<Position> centres;
   centres.reserve(patches.size());
   for (const Patch& patch : patches) {
     centres.push_back(patch.centre);
   }
-  const std::vector<double> log_likelihoods = likelihood.at(centres);
+  const std::vector<double> log_likelihoods = posterior.at(centres);
   for (std::size_t i = 0; i < patches.size(); ++i) {
     patches[i].log_likelihood = log_likelihoods[i];
   }
 }
 
-std::vector<Patch> coarsePatches(const AccessPointLikelihood& likelihood) {
-  const Box box = searchedArea(likelihood.accessPoint().bins);
+std::vector<Patch> coarsePatches(const LogPosterior& posterior) {
+  const Box box = posterior.area();
   const Position& low = box.min();
   const Position size = box.sizes();
-  const double edge = std::max(kCoarseCellM, std::sqrt(size.prod() / kMostCoarseCells));
+  const double edge = std::max(posterior.coarseCell(), std::sqrt(size.prod() / kMostCoarseCells));
   std::vector<Patch> patches;
   for (const double y : centresBetween(low.y(), low.y() + size.y(), edge)) {
     for (const double x : centresBetween(low.x(), low.x() + size.x(), edge)) {
       patches.push_back({{x, y}, edge, 0.0});
     }
   }
-  rate(likelihood, patches);
+  rate(posterior, patches);
   return patches;
 }
 
 /// Quarters the most likely patches.
-void refine(const AccessPointLikelihood& likelihood, std::vector<Patch>& patches) {
+void refine(const LogPosterior& posterior, std::vector<Patch>& patches) {
   std::stable_sort(patches.begin(), patches.end(), moreLikely);
   const double least = patches.front().log_likelihood - kNegligible;
   std::vector<Patch> quarters;
@@ -121,7 +168,7 @@ void refine(const AccessPointLikelihood& likelihood, std::vector<Patch>& patches
       }
     }
   }
-  rate(likelihood, quarters);
+  rate(posterior, quarters);
   patches.erase(patches.begin(), patches.begin() + static_cast<std::ptrdiff_t>(done));
   patches.insert(patches.end(), quarters.begin(), quarters.end());
 }
@@ -160,29 +207,34 @@ double largestDeviation(const Eigen::Matrix2d& covariance) {
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(covariance).eigenvalues().maxCoeff());
 }
 
-std::optional<AccessPointEstimate> search(const AccessPointLikelihood& likelihood) {
-  const std::vector<RadioBin>& bins = likelihood.accessPoint().bins;
-  std::vector<Patch> patches = coarsePatches(likelihood);
+/// An estimate and the largest log likelihood of its search.
+struct Found {
+  AccessPointEstimate estimate;
+  double log_likelihood;
+};
+
+std::optional<Found> search(const LogPosterior& posterior) {
+  std::vector<Patch> patches = coarsePatches(posterior);
   for (int i = 0; i < kRefinements; ++i) {
-    refine(likelihood, patches);
+    refine(posterior, patches);
   }
   const Patch best = *std::min_element(patches.begin(), patches.end(), moreLikely);
   const Moments moments = momentsOf(patches, best.log_likelihood, nullptr);
   AccessPointEstimate estimate;
   estimate.position = moments.mean;
   estimate.covariance = moments.covariance;
-  if (likelihood.at(moments.mean) < best.log_likelihood - kAmbiguous) {
+  if (posterior.at(moments.mean) < best.log_likelihood - kAmbiguous) {
     estimate.ambiguous = true;
     estimate.position = best.centre;
     estimate.covariance = momentsOf(patches, best.log_likelihood, &best.centre).covariance;
-  } else if (largestDeviation(estimate.covariance) > kLargestDeviationM) {
+  } else if (!posterior.hasPrior() && largestDeviation(estimate.covariance) > kLargestDeviationM) {
     return std::nullopt;
   }
-  estimate.bins = bins.size();
-  for (const RadioBin& bin : bins) {
+  estimate.bins = posterior.bins().size();
+  for (const RadioBin& bin : posterior.bins()) {
     estimate.readings += static_cast<std::size_t>(bin.readings);
   }
-  return estimate;
+  return Found{estimate, best.log_likelihood};
 }
 
 /// Ten by ten positions, evenly spread over an area.
@@ -260,23 +312,40 @@ std::optional<AccessPointLikelihood> likelihoodOf(const std::vector<Sample>& sam
 std::optional<AccessPointEstimate> estimateAccessPoint(const std::vector<Sample>& samples,
                                                        std::optional<double> height_m) {
   const std::optional<AccessPointLikelihood> likelihood = likelihoodOf(samples, height_m);
-  return likelihood ? search(*likelihood) : std::nullopt;
+  const std::optional<Found> found = likelihood ? search(LogPosterior(*likelihood)) : std::nullopt;
+  return found ? std::optional(found->estimate) : std::nullopt;
+}
+
+AccessPointEstimate estimateAccessPoint(const std::vector<Sample>& samples,
+                                        const PositionPrior& prior,
+                                        std::optional<double> height_m) {
+  if (const std::optional<AccessPointLikelihood> likelihood = likelihoodOf(samples, height_m)) {
+    return search(LogPosterior(*likelihood, prior))->estimate;
+  }
+  AccessPointEstimate estimate;
+  estimate.position = prior.mean;
+  estimate.covariance = prior.deviation_m * prior.deviation_m * Eigen::Matrix2d::Identity();
+  return estimate;
 }
 
 std::optional<AccessPointFit> accessPointFit(const std::vector<Sample>& samples,
                                              const Position& configured,
-                                             std::optional<double> height_m) {
+                                             std::optional<double> height_m,
+                                             std::optional<double> deviation_m) {
   const std::optional<AccessPointLikelihood> likelihood = likelihoodOf(samples, height_m);
-  const std::optional<AccessPointEstimate> estimate =
-      likelihood ? search(*likelihood) : std::nullopt;
-  if (!estimate) {
+  const std::optional<Found> found = likelihood ? search(LogPosterior(*likelihood)) : std::nullopt;
+  if (!found) {
     return std::nullopt;
   }
   AccessPointFit fit;
-  fit.estimate = *estimate;
+  fit.estimate = found->estimate;
   fit.residual_db = likelihood->residualAt(configured);
-  fit.log_ratio = std::max(0.0, likelihood->at(estimate->position) - likelihood->at(configured));
-  fit.distance_m = (configured - estimate->position).norm();
+  const double at_configured =
+      deviation_m ? search(LogPosterior(*likelihood, PositionPrior{configured, *deviation_m}))
+                        ->log_likelihood
+                  : likelihood->at(configured);
+  fit.log_ratio = std::max(0.0, likelihood->at(fit.estimate.position) - at_configured);
+  fit.distance_m = (configured - fit.estimate.position).norm();
   fit.suspect = fit.log_ratio > kSuspectRatio && fit.distance_m > kSuspectDistanceM;
   return fit;
 }

@@ -27,6 +27,23 @@ namespace sfw {
 std::optional<AccessPointEstimate> estimateAccessPoint(
     const std::vector<Sample>& samples, std::optional<double> height_m = std::nullopt);
 
+/// A given position that may be wrong: a Gaussian, alike on both axes.
+struct PositionPrior {
+  Position mean = Position::Zero();  ///< [m], map frame
+  double deviation_m = 1.0;          ///< standard deviation on each axis, above 0
+};
+
+/// Estimates the position of an access point from its readings and a prior: the mean and covariance
+/// of the likelihood of estimateAccessPoint times the prior.
+///
+/// The search covers four standard deviations of the prior, but not more than 8 m beyond the path
+/// and the prior's mean. Readings that determine no position leave the prior as it is, with `bins`
+/// and `readings` 0.
+/// Deterministic; the order of samples does not matter. The cost is that of estimateAccessPoint.
+AccessPointEstimate estimateAccessPoint(const std::vector<Sample>& samples,
+                                        const PositionPrior& prior,
+                                        std::optional<double> height_m = std::nullopt);
+
 /// Compares the configured position of an access point with its readings.
 ///
 /// The access point is suspect if the estimate is more than 1.5 m away and e^6 times more likely.
@@ -42,11 +59,17 @@ std::optional<AccessPointEstimate> estimateAccessPoint(
 ///
 /// None of 11 real access points with correct positions is suspect.
 ///
-/// @param configured  position in the table of access points [m], map frame
+/// A position with a standard deviation is a prior. The log ratio then compares the largest
+/// likelihood with the largest product of likelihood and prior, over all positions. So it is
+/// suspect only if its own uncertainty does not explain the signals.
+///
+/// @param configured   position in the table of access points [m], map frame
+/// @param deviation_m  its standard deviation on each axis, above 0; empty: it is exact
 /// @return nothing where estimateAccessPoint returns nothing.
 /// The cost is that of estimateAccessPoint.
 std::optional<AccessPointFit> accessPointFit(const std::vector<Sample>& samples,
                                              const Position& configured,
-                                             std::optional<double> height_m = std::nullopt);
+                                             std::optional<double> height_m = std::nullopt,
+                                             std::optional<double> deviation_m = std::nullopt);
 
 }  // namespace sfw

@@ -23,9 +23,16 @@ constexpr std::int64_t kSimultaneousNs = 300'000'000;
 constexpr std::size_t kFewest = 3;  // simultaneous readings: fewer tell nothing
 constexpr double kSamePlaceM = 1.0;
 
+/// Standard deviation of the difference of two given positions [m].
+double deviationBetween(const AccessPoint& a, const AccessPoint& b) {
+  return std::hypot(a.position_sd_m.value_or(0.0), b.position_sd_m.value_or(0.0));
+}
+
 /// Whether positions of the table tell that two BSSIDs are those of two radios.
 bool areApart(const AccessPoint& a, const AccessPoint& b) {
-  return a.position_known && b.position_known && (a.position - b.position).norm() > kSamePlaceM;
+  constexpr double kDeviations = 2.0;  // of the given positions
+  return a.position_known && b.position_known &&
+         (a.position - b.position).norm() > kSamePlaceM + kDeviations * deviationBetween(a, b);
 }
 
 /// Variance by fading and noise, but not by distance [dB2]. A few readings hardly change the usual

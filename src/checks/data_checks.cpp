@@ -96,7 +96,9 @@ DataChecker::Checked DataChecker::check(const AccessPointSummary& summary) {
   }
   const AccessPoint& access_point = summary.access_point;
   if (access_point.position_known) {
-    checked.fit = accessPointFit(summary.samples, access_point.position, access_point.height_m);
+    checked.fit =
+        accessPointFit(summary.samples, summary.given_position.value_or(access_point.position),
+                       access_point.height_m, access_point.position_sd_m);
   }
   return checked;
 }

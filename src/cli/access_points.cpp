@@ -76,6 +76,7 @@ std::string tableOf(const Snapshot& snapshot, const std::string& source) {
   for (const AccessPointSummary& summary : ordered(snapshot.access_points)) {
     AccessPoint entry = summary.access_point;
     entry.position_known = isPlaced(summary);
+    entry.position_sd_m.reset();  // the readings have been used: a prior would count them twice
     constexpr double kCentimetres = 100.0;
     entry.position = (entry.position * kCentimetres).array().round() / kCentimetres;
     const std::string yaml = accessPointsYaml({entry});

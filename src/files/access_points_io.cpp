@@ -15,7 +15,8 @@ namespace {
 constexpr char kTableKey[] = "access_points";
 constexpr char kFarthest[] = "1e8";  // metres; no map projection has larger numbers
 constexpr char kLargest[] = "1e6";   // of other numbers
-constexpr const char* kKeys[] = {"bssid", "x", "y", "z", "name", "tx_dbm"};
+constexpr double kLeastSdM = 0.01;   // no tape measures better, nor any estimate
+constexpr const char* kKeys[] = {"bssid", "x", "y", "z", "name", "tx_dbm", "position_sd"};
 
 /// Reads an optional or required number of an access point; adds a problem if it is unusable.
 /// @param largest  of its absolute value, as the problem names it: "1e6"
@@ -54,8 +55,9 @@ void tellUnknownKeys(const YAML::Node& entry, const std::string& where,
       problems.push_back(where + ": '" + key +
                          "' follows a comma within a number; write a decimal point");
     } else {
-      warnings.push_back(where + ": '" + key +
-                         "' is not read; an access point has bssid, x, y, z, name and tx_dbm");
+      warnings.push_back(
+          where + ": '" + key +
+          "' is not read; an access point has bssid, x, y, z, position_sd, name and tx_dbm");
     }
   }
 }
@@ -79,6 +81,20 @@ Bssid readBssid(const YAML::Node& entry, const std::string& where,
   return bssid.value_or(Bssid());
 }
 
+/// Reads the standard deviation of the position; adds a problem if it is unusable.
+std::optional<double> readPositionSd(const YAML::Node& entry, bool position_known,
+                                     const std::string& where, std::vector<std::string>& problems) {
+  const std::optional<double> sd_m =
+      readNumber(entry, "position_sd", false, kLargest, where, problems);
+  if (sd_m && *sd_m < kLeastSdM) {
+    problems.push_back(where + ": 'position_sd' must be at least 0.01 m; leave it out if the " +
+                       "position is exact");
+  } else if (sd_m && !position_known) {
+    problems.push_back(where + ": 'position_sd' needs x and y, whose standard deviation it is");
+  }
+  return sd_m;
+}
+
 AccessPoint readAccessPoint(const YAML::Node& entry, const std::string& where,
                             std::vector<std::string>& problems,
                             std::vector<std::string>& warnings) {
@@ -96,6 +112,7 @@ AccessPoint readAccessPoint(const YAML::Node& entry, const std::string& where,
     access_point.position.y() =
         readNumber(entry, "y", true, kFarthest, where, problems).value_or(0.0);
   }
+  access_point.position_sd_m = readPositionSd(entry, access_point.position_known, where, problems);
   access_point.height_m = readNumber(entry, "z", false, kLargest, where, problems);
   access_point.tx_dbm = readNumber(entry, "tx_dbm", false, kLargest, where, problems);
   if (entry["name"]) {
@@ -149,6 +166,9 @@ std::string accessPointsYaml(const std::vector<AccessPoint>& access_points) {
     if (access_point.position_known) {
       yaml << YAML::Key << "x" << YAML::Value << exactText(access_point.position.x());
       yaml << YAML::Key << "y" << YAML::Value << exactText(access_point.position.y());
+      if (access_point.position_sd_m) {
+        yaml << YAML::Key << "position_sd" << YAML::Value << exactText(*access_point.position_sd_m);
+      }
     }
     if (access_point.height_m) {
       yaml << YAML::Key << "z" << YAML::Value << exactText(*access_point.height_m);

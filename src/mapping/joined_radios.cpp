@@ -31,12 +31,13 @@ std::vector<std::vector<Reading>> byStamp(const std::vector<AccessPoint>& table,
   return all;
 }
 
-/// The member that stands for a radio.
+/// The member that stands for a radio: the one whose position is known best.
 std::size_t standIn(const RadioGroup& group, const std::vector<AccessPoint>& table,
                     const std::vector<AccessPointReadings>& readings) {
   return *std::max_element(group.begin(), group.end(), [&](std::size_t a, std::size_t b) {
     const auto rank = [&](std::size_t i) {
-      return std::make_tuple(table[i].position_known, readings[i].samples.size(), table.size() - i);
+      return std::make_tuple(table[i].position_known, -table[i].position_sd_m.value_or(0.0),
+                             readings[i].samples.size(), table.size() - i);
     };
     return rank(a) < rank(b);
   });

@@ -47,19 +47,31 @@ std::vector<AccessPointSummary> summariesOf(const std::vector<AccessPoint>& acce
   return summaries;
 }
 
-/// Estimates the positions that the table does not give. A BSSID gets that of its radio.
+/// Estimates a position that the table does not give, or gives with a standard deviation.
+void estimatePosition(const std::vector<Sample>& samples, AccessPointSummary& summary) {
+  AccessPoint& access_point = summary.access_point;
+  if (!access_point.position_known) {
+    summary.estimate = estimateAccessPoint(samples, access_point.height_m);
+  } else if (access_point.position_sd_m) {
+    summary.given_position = access_point.position;
+    summary.estimate = estimateAccessPoint(
+        samples, PositionPrior{access_point.position, *access_point.position_sd_m},
+        access_point.height_m);
+  }
+  if (summary.estimate) {
+    access_point.position = summary.estimate->position;
+  }
+}
+
+/// Estimates the positions that the table does not give exactly. A BSSID gets that of its radio.
 /// @param radio_of  as of JoinedRadios
 /// @param readings  of radios
 void estimatePositions(const std::vector<std::size_t>& radio_of,
                        const std::vector<AccessPointReadings>& readings,
                        std::vector<AccessPointSummary>& summaries, const std::atomic<bool>& stop) {
   for (std::size_t i = 0; i < summaries.size() && !stop; ++i) {
-    AccessPoint& access_point = summaries[i].access_point;
-    if (!access_point.position_known && radio_of[i] == i) {
-      summaries[i].estimate = estimateAccessPoint(readings[i].samples, access_point.height_m);
-      if (summaries[i].estimate) {
-        access_point.position = summaries[i].estimate->position;
-      }
+    if (radio_of[i] == i) {
+      estimatePosition(readings[i].samples, summaries[i]);
     }
   }
   for (std::size_t i = 0; i < summaries.size(); ++i) {
@@ -67,8 +79,10 @@ void estimatePositions(const std::vector<std::size_t>& radio_of,
       const AccessPointSummary& radio = summaries[radio_of[i]];
       summaries[i].radio = radio.access_point.bssid;
       summaries[i].estimate = radio.estimate;
+      summaries[i].given_position = radio.given_position;
       summaries[i].access_point.position = radio.access_point.position;
       summaries[i].access_point.position_known = radio.access_point.position_known;
+      summaries[i].access_point.position_sd_m = radio.access_point.position_sd_m;
     }
   }
 }

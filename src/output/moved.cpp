@@ -19,6 +19,9 @@ Snapshot moved(Snapshot snapshot, const Position& by) {
     if (summary.estimate) {
       summary.estimate->position += by;
     }
+    if (summary.given_position) {
+      *summary.given_position += by;
+    }
     for (Sample& sample : summary.samples) {
       sample.antenna_in_map += by;
     }

@@ -42,6 +42,11 @@ Json describe(const AccessPointSummary& summary, const AccessPointFit* fit) {
   } else if (!isPlaced(summary)) {
     json["left_out"] = "its estimated position is too uncertain";
   }
+  if (summary.given_position) {
+    json["given"] = {{"x", summary.given_position->x()},
+                     {"y", summary.given_position->y()},
+                     {"sd_m", access_point.position_sd_m.value_or(0.0)}};
+  }
   if (summary.estimate) {
     const Eigen::Matrix2d& covariance = summary.estimate->covariance;
     json["estimated"] = {{"sd_x_m", std::sqrt(covariance(0, 0))},

@@ -29,7 +29,8 @@ std::vector<AccessPoint> locatedAccessPoints(std::vector<AccessPoint> table,
   const std::map<Bssid, Position> reported = reportedPositions(map);
   for (AccessPoint& access_point : table) {
     const auto found = reported.find(access_point.bssid);
-    if (!access_point.position_known && found != reported.end()) {
+    const bool is_exact = access_point.position_known && !access_point.position_sd_m;
+    if (!is_exact && found != reported.end()) {
       access_point.position = found->second;
       access_point.position_known = true;
     }

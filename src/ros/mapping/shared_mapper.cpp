@@ -137,6 +137,7 @@ void SharedMapper::place(const Bssid& bssid, const Position& position) {
   }
   known->position = position;
   known->position_known = true;
+  known->position_sd_m.reset();  // it belongs to the position before
   mapper_.setAccessPoints(table);
 }
 
