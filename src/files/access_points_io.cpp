@@ -57,7 +57,7 @@ void tellUnknownKeys(const YAML::Node& entry, const std::string& where,
     } else {
       warnings.push_back(
           where + ": '" + key +
-          "' is not read; an access point has bssid, x, y, z, position_sd, name and tx_dbm");
+          "' is not read; an access point has bssid, x, y, position_sd, z, name and tx_dbm");
     }
   }
 }

@@ -139,6 +139,72 @@ TEST(AccessPointEstimation, KnowsLessWhereShadowsAreStrong) {
   }
 }
 
+TEST(AccessPointPrior, StaysAsItIsWithoutReadings) {
+  const AccessPointEstimate estimate = estimateAccessPoint({}, PositionPrior{{3.0, 4.0}, 1.5});
+  EXPECT_EQ(estimate.position, Position(3.0, 4.0));
+  EXPECT_EQ(estimate.covariance, Eigen::Matrix2d(2.25 * Eigen::Matrix2d::Identity()));
+  EXPECT_EQ(estimate.readings, 0u);
+  EXPECT_FALSE(estimate.ambiguous);
+}
+
+TEST(AccessPointPrior, MovesTowardsTheReadingsTheMoreTheWiderItIs) {
+  const Position truth(5.0, 2.2);
+  const std::vector<Sample> samples = hallDrive(truth);
+  const Position given = truth + Position(0.0, 2.0);
+  double last = 2.0;
+  for (const double deviation_m : {0.05, 0.3, 3.0}) {
+    const auto estimate = estimateAccessPoint(samples, PositionPrior{given, deviation_m});
+    const double error = (estimate.position - truth).norm();
+    EXPECT_LT(error, last) << deviation_m;
+    EXPECT_LT(std::sqrt(estimate.covariance.trace()), 1.5 * deviation_m) << deviation_m;
+    last = error;
+  }
+  EXPECT_LT(last, 0.4);
+}
+
+TEST(AccessPointPrior, IsTheEstimateFromReadingsAloneIfItIsVeryWide) {
+  const std::vector<Sample> samples = hallDrive({5.0, 2.2});
+  const auto alone = estimateAccessPoint(samples);
+  ASSERT_TRUE(alone);
+  const auto wide = estimateAccessPoint(samples, PositionPrior{{4.0, 3.0}, 1000.0});
+  EXPECT_LT((wide.position - alone->position).norm(), 0.05);
+  EXPECT_LT((wide.covariance - alone->covariance).norm(), 0.1 * alone->covariance.norm());
+}
+
+TEST(AccessPointPrior, TellsTheSidesOfAStraightPathApart) {
+  const auto samples = straightDrive({4.0, 3.0});
+  const auto estimate = estimateAccessPoint(samples, PositionPrior{{4.5, 4.0}, 1.5});
+  EXPECT_FALSE(estimate.ambiguous);
+  EXPECT_NEAR(estimate.position.y(), 3.0, 1.5);
+  EXPECT_LT(estimate.covariance(1, 1), 1.5 * 1.5);
+}
+
+TEST(AccessPointPrior, HoldsOutsideTheSearchOfReadingsAlone) {
+  const Position given(5.0, 40.0);  // 34 m from the hall
+  const auto estimate = estimateAccessPoint(hallDrive({5.0, 2.2}), PositionPrior{given, 0.5});
+  EXPECT_LT((estimate.position - given).norm(), 2.0);
+  EXPECT_TRUE(estimate.covariance.allFinite());
+}
+
+TEST(AccessPointFit, SuspectsAGivenPositionByItsDeviation) {
+  const Position truth(5.0, 2.2);
+  const std::vector<Sample> samples = hallDrive(truth);
+  const Position given = truth + Position(-3.0, 0.0);
+  const auto exact = accessPointFit(samples, given);
+  ASSERT_TRUE(exact);
+  EXPECT_TRUE(exact->suspect);
+  double last = exact->log_ratio;
+  for (const double deviation_m : {0.1, 0.5, 3.0}) {
+    const auto fit = accessPointFit(samples, given, std::nullopt, deviation_m);
+    ASSERT_TRUE(fit);
+    EXPECT_LT(fit->log_ratio, last) << deviation_m;
+    EXPECT_EQ(fit->estimate.position, exact->estimate.position);
+    last = fit->log_ratio;
+  }
+  EXPECT_TRUE(accessPointFit(samples, given, std::nullopt, 0.1)->suspect);
+  EXPECT_FALSE(accessPointFit(samples, given, std::nullopt, 3.0)->suspect);
+}
+
 TEST(AccessPointFit, NeedsReadings) {
   EXPECT_FALSE(accessPointFit({}, Position::Zero()));
   EXPECT_FALSE(accessPointFit({{Position(1.0, 2.0), -50.0}}, Position::Zero()));

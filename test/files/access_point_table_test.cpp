@@ -56,7 +56,7 @@ TEST(AccessPointTable, NamesEntryAndFieldOfEachFault) {
   EXPECT_EQ(complaintOf("[{x: 1, y: 2}]"), "access_points[0]: 'bssid' is missing");
   EXPECT_EQ(complaintOf("[{bsid: '02:00:00:00:00:01', x: 1, y: 2}]"),
             "access_points[0]: 'bssid' is missing\naccess_points[0]: 'bsid' is not read; an access "
-            "point has bssid, x, y, z, name and tx_dbm");
+            "point has bssid, x, y, position_sd, z, name and tx_dbm");
   EXPECT_EQ(complaintOf("[{bssid: 190000000000000, x: 1, y: 2}]"),
             "access_points[0]: 'bssid' must look like '02:00:00:00:00:01'; it is "
             "'190000000000000': YAML reads it as a number, so quote it");
@@ -75,6 +75,31 @@ TEST(AccessPointTable, TakesAnAccessPointWithoutPositionToEstimateIt) {
   EXPECT_FALSE(table[0].position_known);
   EXPECT_EQ(table[0].height_m, 2.0);
   EXPECT_TRUE(table[1].position_known);
+}
+
+TEST(AccessPointTable, TakesAStandardDeviationOfThePosition) {
+  const auto table =
+      fromText("[{bssid: '02:00:00:00:00:09', x: 1, y: 2, position_sd: 1.5}, " + kGood + "]");
+  EXPECT_EQ(table[0].position_sd_m, 1.5);
+  EXPECT_FALSE(table[1].position_sd_m);
+  const auto again = fromText(YAML::Dump(YAML::Load(accessPointsYaml(table))["access_points"]));
+  EXPECT_EQ(again[0].position_sd_m, 1.5);
+  EXPECT_FALSE(again[1].position_sd_m);
+}
+
+TEST(AccessPointTable, RefusesAStandardDeviationThatMeansNothing) {
+  const auto complaint = [](const std::string& fields) {
+    return complaintOf("[{bssid: '02:00:00:00:00:09', " + fields + "}]");
+  };
+  const std::string small =
+      "access_points[0]: 'position_sd' must be at least 0.01 m; leave it out if the position is "
+      "exact";
+  EXPECT_EQ(complaint("x: 1, y: 2, position_sd: 0"), small);
+  EXPECT_EQ(complaint("x: 1, y: 2, position_sd: -3"), small);
+  EXPECT_EQ(complaint("x: 1, y: 2, position_sd: wide"),
+            "access_points[0]: 'position_sd' must be a number from -1e6 to 1e6");
+  EXPECT_EQ(complaint("position_sd: 2"),
+            "access_points[0]: 'position_sd' needs x and y, whose standard deviation it is");
 }
 
 TEST(AccessPointTable, ReadsBssidsWithoutQuotes) {
@@ -116,7 +141,7 @@ TEST(AccessPointTable, WarnsOfKeysThatNobodyReads) {
                   .empty());
   EXPECT_EQ(warnings("[" + kGood + ", {bssid: '02:00:00:00:00:02', x: 0, y: 0, hieght: 2}]"),
             std::vector<std::string>{"access_points[1]: 'hieght' is not read; an access point has "
-                                     "bssid, x, y, z, name and tx_dbm"});
+                                     "bssid, x, y, position_sd, z, name and tx_dbm"});
   EXPECT_EQ(warnings("[{bssid: '02:00:00:00:00:02', [1, 2]: 3}]").size(), 1U);
 }
 

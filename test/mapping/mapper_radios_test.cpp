@@ -114,6 +114,43 @@ TEST(MapperRadios, TakeThePositionThatTheTableGives) {
   EXPECT_FALSE(snapshot->access_points[0].estimate);
 }
 
+/// An access point whose given position has a standard deviation.
+AccessPoint about(int number, double x, double y, double sd_m) {
+  AccessPoint access_point = accessPoint(number, x, y);
+  access_point.position_sd_m = sd_m;
+  return access_point;
+}
+
+TEST(MapperRadios, MoveAGivenPositionWithADeviationTowardsTheReadings) {
+  const std::vector<Reading> readings = heard(kLeft, 1, {0x21});
+  const Position given = kLeft + Position(2.0, 0.0);
+  const auto snapshot = mapperOf({about(0x21, given.x(), given.y(), 3.0)}, readings).infer();
+  const AccessPointSummary& found = snapshot->access_points[0];
+  ASSERT_TRUE(found.estimate);
+  EXPECT_EQ(found.given_position, given);
+  EXPECT_EQ(found.access_point.position, found.estimate->position);
+  EXPECT_LT((found.access_point.position - kLeft).norm(), 1.0);
+  EXPECT_TRUE(found.access_point.position_known);
+}
+
+TEST(MapperRadios, PreferTheGivenPositionThatIsKnownBest) {
+  const std::vector<AccessPoint> table{about(0x21, 3.5, 2.5, 2.0), accessPoint(0x22, 2.0, 2.5)};
+  const auto snapshot = mapperOf(table, heard(kLeft, 1, {0x21, 0x22})).infer();
+  EXPECT_EQ(snapshot->access_points[0].radio, bssid(0x22))
+      << "1.5 m apart, but within two deviations of one";
+  EXPECT_EQ(snapshot->access_points[0].access_point.position, kLeft);
+  EXPECT_FALSE(snapshot->access_points[0].given_position);
+}
+
+TEST(MapperRadios, AreLeftOutIfAWidePriorMeetsTooFewReadings) {
+  const auto snapshot =
+      mapperOf({about(0x21, 2.0, 2.5, 5.0)}, {reading(0, 1.0, 1.0, -50.0, 0x21)}).infer();
+  const AccessPointSummary& found = snapshot->access_points[0];
+  ASSERT_TRUE(found.estimate);
+  EXPECT_EQ(found.access_point.position, Position(2.0, 2.5));
+  EXPECT_FALSE(isPlaced(found));
+}
+
 TEST(MapperRadios, GiveTheMapOfOneBssidWithTheirMean) {
   const std::vector<AccessPoint> table{accessPoint(0x21, 2.0, 2.5), accessPoint(0x22, 2.0, 2.5)};
   const auto both = mapperOf(table, heard(kLeft, 1, {0x21, 0x22})).infer();

@@ -53,6 +53,17 @@ TEST(Moved, HasTheSameCellsElsewhere) {
   EXPECT_EQ(far.tomography->wall_loss.geometry, far.belief.geometry());
 }
 
+TEST(Moved, MovesAGivenPositionBesideItsEstimate) {
+  AccessPoint access_point = test::accessPoint(1, 2.5, 1.5);
+  access_point.position_sd_m = 1.0;
+  Mapper mapper(test::rawConfig(), {access_point});
+  const auto near = drive(mapper);
+  const Snapshot far = moved(*near, kFar);
+  EXPECT_EQ(far.access_points[0].given_position, Position(Position(2.5, 1.5) + kFar));
+  EXPECT_EQ(far.access_points[0].access_point.position,
+            near->access_points[0].access_point.position + kFar);
+}
+
 TEST(Moved, TellsItsOffsetOnce) {
   const Config config = test::rawConfig();
   Mapper mapper(config, {test::accessPoint(1, 2.0, 1.5)});

@@ -19,6 +19,8 @@ namespace {
 constexpr char kLost[] = "02:00:00:00:00:03";
 constexpr int kSteps = 560;  // through a hall of 8 x 6 m, in lanes 1 m apart
 
+constexpr char kAbout[] = "02:00:00:00:00:04";
+
 class AccessPointsTest : public NodeletWorld {
  protected:
   void SetUp() override {
@@ -26,6 +28,10 @@ class AccessPointsTest : public NodeletWorld {
     XmlRpc::XmlRpcValue table = tableOf({{kNear, 2.0, 1.5}, {kFar, 2.0, 4.5}});  // really at 6, 4.5
     table[2]["bssid"] = std::string(kLost);
     table[2]["name"] = std::string("lost");
+    table[3]["bssid"] = std::string(kAbout);
+    table[3]["x"] = 7.0;  // really at 5, 5
+    table[3]["y"] = 5.0;
+    table[3]["position_sd"] = 2.0;
     ros::param::set(name_ + "/mapping/access_points", table);
     ros::NodeHandle node;
     subscribers_.push_back(node.subscribe<structure_from_wifi::AccessPoints>(
@@ -47,7 +53,7 @@ class AccessPointsTest : public NodeletWorld {
 
   void drive(int steps) {
     send(0, steps);
-    EXPECT_EQ(rows(3U * static_cast<unsigned>(steps)).size(), 3U * static_cast<unsigned>(steps));
+    EXPECT_EQ(rows(4U * static_cast<unsigned>(steps)).size(), 4U * static_cast<unsigned>(steps));
   }
 
   void send(int first, int last) {
@@ -62,7 +68,8 @@ class AccessPointsTest : public NodeletWorld {
       sendPose(0.1 * i, place.x(), place.y());
       sendScan(0.1 * i, {{kNear, rssiAt(place, {2.0, 1.5})},
                          {kFar, rssiAt(place, {6.0, 4.5})},
-                         {kLost, rssiAt(place, {5.0, 1.0})}});
+                         {kLost, rssiAt(place, {5.0, 1.0})},
+                         {kAbout, rssiAt(place, {5.0, 5.0})}});
       ros::Time::setNow(at(0.1 * i));
       ros::WallDuration(0.001).sleep();
     }
@@ -76,7 +83,7 @@ class AccessPointsTest : public NodeletWorld {
   }
 
   bool isJudged() {
-    return published_ && published_->access_points.size() == 3U &&
+    return published_ && published_->access_points.size() == 4U &&
            std::isfinite(published_->access_points[1].fit_db);
   }
 
@@ -116,6 +123,13 @@ TEST_F(AccessPointsTest, PublishesWhichPositionsAgreeWithTheReadings) {
   EXPECT_TRUE(std::isnan(lost.fit_db));
   EXPECT_TRUE(std::isnan(lost.seems_to_stand_at.x));
   EXPECT_NEAR(lost.position.x, 5.0, 1.0);
+  EXPECT_TRUE(std::isnan(lost.given_sd));
+  const structure_from_wifi::AccessPoint& about = published_->access_points[3];
+  EXPECT_TRUE(about.estimated);
+  EXPECT_EQ(about.given_position.x, 7.0);
+  EXPECT_EQ(about.given_sd, 2.0);
+  EXPECT_NEAR(about.position.x, 5.0, 1.0);
+  EXPECT_GT(about.covariance[0], 0.0);
 
   const std::string report = savedFile("report.json");
   EXPECT_NE(report.find("\"suspect\": true"), std::string::npos);
@@ -181,7 +195,7 @@ TEST_F(AccessPointsTest, JudgesNothingFromAFewReadings) {
   for (const structure_from_wifi::AccessPoint& access_point : published_->access_points) {
     EXPECT_TRUE(std::isnan(access_point.fit_db));
     EXPECT_FALSE(access_point.suspect);
-    EXPECT_FALSE(access_point.estimated);
+    EXPECT_EQ(access_point.estimated, access_point.bssid == kAbout) << "its prior is all there is";
   }
   EXPECT_EQ(marker("names", 2), nullptr) << "is nowhere";
 }

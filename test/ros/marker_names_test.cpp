@@ -55,6 +55,27 @@ TEST(MarkerNames, AFewAccessPointsHaveWholeAddresses) {
   EXPECT_EQ(names[3].text, "02:00:00:00:01:03");
 }
 
+TEST(Markers, ShowAGivenPositionBesideTheEstimateFromIt) {
+  Snapshot snapshot = snapshotOf(2, 3.0);
+  AccessPointSummary& about = snapshot.access_points[1];
+  about.access_point.position_sd_m = 1.0;
+  about.given_position = Position(4.0, 0.5);
+  about.estimate.emplace();
+  about.estimate->position = about.access_point.position;
+  about.estimate->covariance = 0.25 * Eigen::Matrix2d::Identity();
+  std::vector<visualization_msgs::Marker> given;
+  for (const auto& marker : toMarkers(snapshot, {}, std_msgs::Header()).markers) {
+    if (marker.ns == "given") {
+      given.push_back(marker);
+    }
+  }
+  ASSERT_EQ(given.size(), 1U);
+  EXPECT_EQ(given[0].id, 1);
+  ASSERT_EQ(given[0].points.size(), 2U);
+  EXPECT_EQ(given[0].points[0].x, 4.0);
+  EXPECT_EQ(given[0].points[1].x, 3.0);
+}
+
 TEST(MarkerNames, FiftyWithRoomAreAllThereAndShort) {
   const Markers names = namesOf(snapshotOf(50, 2.0));
   ASSERT_EQ(names.size(), 50U);

@@ -125,13 +125,29 @@ std::vector<CheckedAccessPoint> withChecks(const Snapshot& snapshot, const DataF
   return all;
 }
 
+/// Where the table puts an access point [m], whether the map uses that position or an estimate.
+const Position& givenPosition(const AccessPointSummary& summary) {
+  return summary.given_position ? *summary.given_position : summary.access_point.position;
+}
+
+/// A line from the given position to the one that the map uses.
+visualization_msgs::Marker givenMarker(const AccessPointSummary& summary,
+                                       const std_msgs::Header& header, int id, double height) {
+  constexpr double kLine = 0.05;  // [m]
+  visualization_msgs::Marker line =
+      marker(header, "given", id, visualization_msgs::Marker::LINE_LIST, kLine, kViolet);
+  line.points = {toPoint(givenPosition(summary), height),
+                 toPoint(summary.access_point.position, height)};
+  return line;
+}
+
 /// A line from the given position of a suspect access point to its estimate.
 visualization_msgs::Marker doubtMarker(const CheckedAccessPoint& checked,
                                        const std_msgs::Header& header, int id, double height) {
   constexpr double kLine = 0.05;  // [m]
   visualization_msgs::Marker line =
       marker(header, "doubts", id, visualization_msgs::Marker::LINE_LIST, kLine, kOrange);
-  line.points = {toPoint(checked.summary->access_point.position, height),
+  line.points = {toPoint(givenPosition(*checked.summary), height),
                  toPoint(checked.fit->estimate.position, height)};
   return line;
 }
@@ -149,7 +165,8 @@ std::string labelOf(const CheckedAccessPoint& checked) {
   if (estimate) {
     text += inMetres("\nestimated, ± %.1f m", ellipseOf(*estimate).longer_m);
     text += estimate->ambiguous ? "\none place of several" : "";
-  } else if (checked.isSuspect()) {
+  }
+  if (checked.isSuspect()) {
     text += inMetres("\nreadings fit %.1f m away", checked.fit->distance_m);
   }
   return text;
@@ -258,6 +275,9 @@ void addAccessPoints(const std::vector<CheckedAccessPoint>& all, const std_msgs:
     }
     if (summary.estimate) {
       markers.push_back(ellipseMarker(summary, header, id));
+    }
+    if (summary.given_position) {
+      markers.push_back(givenMarker(summary, header, id, height));
     }
     if (all[i].isSuspect()) {
       markers.push_back(doubtMarker(all[i], header, id, height));

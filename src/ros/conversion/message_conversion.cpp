@@ -57,6 +57,9 @@ structure_from_wifi::AccessPoint toMessage(const AccessPointSummary& summary,
   }
   message.readings = static_cast<std::uint32_t>(summary.readings);
   constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+  const Position given = summary.given_position.value_or(Position(kNone, kNone));
+  message.given_position = toPoint(given, message.position.z);
+  message.given_sd = summary.given_position ? access_point.position_sd_m.value_or(kNone) : kNone;
   message.fit_db = kNone;
   message.seems_to_stand_at = toPoint(Position(kNone, kNone), message.position.z);
   if (fit != nullptr) {
