@@ -39,6 +39,9 @@ std::vector<AccessPoint> tableOf(const RecordingOptions& options) {
   }
   for (AccessPoint& access_point : table) {
     access_point.position *= options.scale;
+    if (access_point.position_sd_m) {
+      *access_point.position_sd_m *= options.scale;
+    }
   }
   return table;
 }

@@ -76,6 +76,33 @@ class AccessPoints(CommandLine):
         self.assertEqual(entry["name"], "hall")
         self.near(entry, PLACES[SECOND])
 
+    def test_that_may_stand_elsewhere_are_moved_by_the_readings(self):
+        x, y = PLACES[SECOND]
+        table = self.write("about.yaml", "access_points: [{bssid: '%s', x: %g, y: %g, "
+                                         "position_sd: 2}]" % (SECOND, x - 2.0, y))
+        entry, = yaml.safe_load(self.table("--access-points", table).stdout)["access_points"]
+        self.near(entry, PLACES[SECOND])
+        self.assertNotIn("position_sd", entry, "the readings would count twice")
+        self.good(self.map(access_points=table))
+        found, = json.loads((self.output / "report.json").read_text())["access_points"]
+        self.near(found, PLACES[SECOND])
+        self.assertEqual(found["given"], {"x": x - 2.0, "y": y, "sd_m": 2.0})
+        self.assertLess(found["estimated"]["sd_x_m"], 2.0)
+        self.assertFalse(found["fit"]["suspect"])
+
+    def test_are_scaled_with_their_deviation(self):
+        rows = [row.split(",") for row in hall().splitlines()[1:]]
+        centimetres = [",".join([t, "%g" % (100 * float(x)), "%g" % (100 * float(y)), *heard])
+                       for t, x, y, *heard in rows]
+        readings = self.write("cm.csv", "\n".join([HEADER] + centimetres) + "\n")
+        table = self.write("cm.yaml", "access_points: [{bssid: '%s', x: 800, y: 450, "
+                                      "position_sd: 200}]" % SECOND)
+        self.good(self.sfw("map", "--readings", readings, "--access-points", table,
+                           "--scale", "0.01", "--output", self.output))
+        found, = json.loads((self.output / "report.json").read_text())["access_points"]
+        self.assertEqual(found["given"], {"x": 8.0, "y": 4.5, "sd_m": 2.0})
+        self.near(found, PLACES[SECOND])
+
     def test_of_nothing(self):
         nothing = self.write("nothing.csv", HEADER + "\n0,1,1,%s,55\n" % FIRST)
         run = self.sfw("access-points", "--readings", nothing)

@@ -10,7 +10,7 @@ std::vector<std::string> seeds() {
       "access_points:\n  - {bssid: \"02:00:00:00:00:01\", x: 1.5, y: -2, z: 2.2, name: hall, "
       "tx_dbm: 20}\n"
       "  - bssid: 02:00:00:00:00:02\n",
-      "access_points: [{bssid: 02-00-00-00-00-0A, x: 0, y: 0}]\n",
+      "access_points: [{bssid: 02-00-00-00-00-0A, x: 0, y: 0, position_sd: 1.5}]\n",
       "a: &b [1, 2]\naccess_points: *b\n",
   };
 }
