@@ -117,17 +117,31 @@ void ExplorationField::findSight(double view_m) {
   open_.resize(sight_.size());
 }
 
+/// Calls `visit(Cell, Cell)` for each cell here and each cell of the map with the centre of one in
+/// the other, so that neither needs to have the finer cells.
+template <class Visitor>
+void ExplorationField::forEachPair(const GridGeometry& map, Visitor&& visit) const {
+  forEachCell(map, [&](Cell c) { visit(geometry().cellAt(map.centre(c)), c); });
+  if (map.resolution() > geometry().resolution()) {
+    forEachCell(geometry(), [&](Cell c) {
+      const Cell of_map = map.cellAt(geometry().centre(c));
+      if (map.contains(of_map)) {
+        visit(c, of_map);
+      }
+    });
+  }
+}
+
 void ExplorationField::addMap(const ExplorationView& view) {
-  // A cell here covers several of the map; the likeliest obstacle counts.
+  // A cell here may cover several of the map; the likeliest obstacle counts.
   Grid<float> highest(geometry(), -1.0F);
-  const GridGeometry& map = view.states.geometry;
-  forEachCell(map, [&](Cell c) {
-    const float p = view.occupied[c];
+  const auto take = [&](Cell here, Cell of_map) {
+    const float p = view.occupied[of_map];
     if (!std::isnan(p)) {
-      float& value = highest[geometry().cellAt(map.centre(c))];
-      value = std::max(value, std::min(p, kUntouched));
+      highest[here] = std::max(highest[here], std::min(p, kUntouched));
     }
-  });
+  };
+  forEachPair(view.states.geometry, take);
   for (std::size_t i = 0; i < highest.cells.size(); ++i) {
     if (highest.cells[i] >= 0.0F) {
       obstacle_.cells[i] = highest.cells[i];
@@ -266,10 +280,9 @@ void ExplorationField::findInterest(const ExplorationView& view) {
   for (std::size_t i = 0; i < interest_.cells.size(); ++i) {
     interest_.cells[i] = 1.0F - obstacle_.cells[i];
   }
-  const GridGeometry& map = view.states.geometry;
-  forEachCell(map, [&](Cell c) {
-    if (view.states[c] != CellState::kUnknown) {
-      interest_[geometry().cellAt(map.centre(c))] = 0.0F;
+  forEachPair(view.states.geometry, [&](Cell here, Cell of_map) {
+    if (view.states[of_map] != CellState::kUnknown) {
+      interest_[here] = 0.0F;
     }
   });
   forEachCell(geometry(), [&](Cell c) {

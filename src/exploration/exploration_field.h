@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "grid/mask.h"
@@ -8,11 +10,12 @@
 
 namespace sfw {
 
-/// Not thread-safe.
-/// The rasters that an explorer plans on, made of a view. Cells have 0.1 m, and the grid reaches
-/// 4 m beyond the map, since the robot may go there.
+/// The rasters that an explorer plans on, made of a view. Not thread-safe.
+///
+/// Cells have 0.1 m. The grid reaches 4 m beyond the map, since the robot may go there.
 class ExplorationField {
  public:
+  /// @throw std::invalid_argument if the robot is so far from the map that no grid covers both
   ExplorationField(const ExplorationView& view, const Position& robot,
                    const ExplorationConfig& config);
 
@@ -46,6 +49,9 @@ class ExplorationField {
   void block(const std::vector<Touch>& touches, const Position& robot, double radius_m);
   void findInterest(const ExplorationView& view);
   void findSight(double view_m);
+
+  template <class Visitor>
+  void forEachPair(const GridGeometry& map, Visitor&& visit) const;
 
   /// Calls `visit(Cell)` once for each cell seen from a cell: no obstacle lies in between.
   template <class Visitor>

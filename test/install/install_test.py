@@ -117,10 +117,11 @@ class Install(Space, unittest.TestCase):
         libraries = {path.name.split(".")[0] for path in (INSTALL / "lib").glob("lib*")}
         self.assertEqual(libraries, {"libstructure_from_wifi_" + name for name in
                                      ("mapping", "mrpt", "mapping_nodelet", "simulator_nodelet",
-                                      "wireless_nodelet", "rviz_panel")})
+                                      "wireless_nodelet", "exploration_nodelet",
+                                      "rviz_panel")})
         programs = {path.name for path in (INSTALL / "lib" / PACKAGE).iterdir()}
         self.assertEqual(programs, {"sfw", "mapping_node", "simulator_node",
-                                    "wireless_scan_node"})
+                                    "wireless_scan_node", "exploration_node"})
         for folder in ("config", "launch", "rviz"):
             shipped = {path.relative_to(ROOT) for path in (ROOT / folder).rglob("*")}
             share = INSTALL / "share" / PACKAGE

@@ -34,16 +34,23 @@ GridGeometry geometryOf(const nav_msgs::MapMetaData& info) {
 
 }  // namespace
 
-std::string problemOf(const nav_msgs::OccupancyGrid& grid) {
+std::string problemOf(const nav_msgs::OccupancyGrid& grid, const std::string& map_frame) {
+  constexpr double kFarthest = 1e5;                   // of the origin [m]
+  constexpr float kFinest = 0.01F, kCoarsest = 1.0F;  // cells [m]
   const auto& info = grid.info;
   const auto& origin = info.origin;
   const auto cells = static_cast<std::size_t>(info.width) * info.height;
+  if (grid.header.frame_id != map_frame) {
+    return "its frame is '" + grid.header.frame_id + "', and not ~map_frame, '" + map_frame + "'";
+  }
   if (cells == 0 || cells != grid.data.size()) {
     return "its data do not fit its width and height";
   }
-  if (!std::isfinite(info.resolution) || info.resolution <= 0.0F ||
-      !std::isfinite(origin.position.x) || !std::isfinite(origin.position.y)) {
-    return "its resolution or origin is no number that a map can have";
+  if (!(info.resolution >= kFinest) || !(info.resolution <= kCoarsest) ||
+      !(origin.position.x * origin.position.x + origin.position.y * origin.position.y <
+        kFarthest * kFarthest)) {
+    return "its resolution or origin is out of range: cells have 0.01 to 1 m, and the origin lies "
+           "within 100 km";
   }
   if (std::abs(origin.orientation.z) > 1e-6 || std::abs(origin.orientation.x) > 1e-6 ||
       std::abs(origin.orientation.y) > 1e-6) {
@@ -69,8 +76,16 @@ std::optional<ExplorationView> viewOf(const MapMessages& messages) {
     view.occupied.cells[i] = percent < 0 ? std::numeric_limits<float>::quiet_NaN()
                                          : static_cast<float>(percent) / 100.0F;
   }
+  constexpr double kFar = 100.0;  // beyond the map nothing belongs to it [m]
+  Box near = geometry.box();
+  near.extend(Position(near.min().array() - kFar)).extend(Position(near.max().array() + kFar));
   if (messages.walls) {
     for (const auto& wall : messages.walls->walls) {
+      if (!near.contains(Position(wall.start.x, wall.start.y)) ||
+          !near.contains(Position(wall.end.x, wall.end.y)) || !(wall.confidence > 0.0F) ||
+          !(wall.confidence < 1.0F)) {
+        continue;
+      }
       view.walls.push_back({Position(wall.start.x, wall.start.y), Position(wall.end.x, wall.end.y),
                             static_cast<double>(wall.confidence), wall.outer != 0});
     }

@@ -23,7 +23,8 @@ struct MapMessages {
 };
 
 /// What is wrong with a grid, in words; empty if nothing is.
-std::string problemOf(const nav_msgs::OccupancyGrid& grid);
+/// @param map_frame  in which it must lie
+std::string problemOf(const nav_msgs::OccupancyGrid& grid, const std::string& map_frame);
 
 /// The view of a map; nothing until map and probabilities of the same cells are there.
 std::optional<ExplorationView> viewOf(const MapMessages& messages);

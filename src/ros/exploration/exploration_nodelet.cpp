@@ -125,7 +125,7 @@ void ExplorationNodelet::connect(ros::NodeHandle& node, ros::NodeHandle& own) {
 void ExplorationNodelet::takeGrid(nav_msgs::OccupancyGrid::ConstPtr& newest,
                                   const nav_msgs::OccupancyGrid::ConstPtr& message,
                                   const char* topic) {
-  const std::string problem = problemOf(*message);
+  const std::string problem = problemOf(*message, settings_.map_frame);
   if (!problem.empty()) {
     NODELET_WARN_STREAM_THROTTLE(kWarningPeriod, "A grid on " << topic << " is ignored: " << problem
                                                               << ". Is the mapper its publisher?");
@@ -222,6 +222,18 @@ std::optional<Position> ExplorationNodelet::touchedPoint(const RobotPose& pose) 
 }
 
 void ExplorationNodelet::tick() {
+  try {
+    step();
+  } catch (const std::exception& error) {
+    // The robot must not go on while nobody decides.
+    waits_for_ = std::string("a map and a pose that fit together: ") + error.what();
+    NODELET_ERROR_STREAM_THROTTLE(kWarningPeriod, "The exploration waits for " << waits_for_);
+    pilot_->pause();
+    drive(false);
+  }
+}
+
+void ExplorationNodelet::step() {
   waits_for_.clear();
   const std::optional<RobotPose> at = pose();
   if (new_map_) {
@@ -243,6 +255,7 @@ void ExplorationNodelet::tick() {
     waits_for_ = "the action move_base; start it, or set driver to bumpers";
   }
   if (!waits_for_.empty()) {
+    drive(false);
     return;
   }
   pilot_->step(*at, touchedPoint(*at), ros::Time::now().toSec());

@@ -52,6 +52,7 @@ class ExplorationNodelet : public nodelet::Nodelet {
   bool stop(std_srvs::Trigger::Response& response);
 
   void tick();
+  void step();
   std::optional<RobotPose> pose();
   std::optional<Position> touchedPoint(const RobotPose& pose) const;
   void drive(bool moving);
