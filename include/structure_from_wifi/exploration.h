@@ -19,6 +19,11 @@ struct Touch {
   Position point = Position::Zero();  ///< point touched [m], map frame
 };
 
+/// The touches behind contacts: the robot was at the pose of its path nearest in time. Contacts at
+/// that pose itself, and all without a path, are left out. O(contacts x poses).
+SFW_EXPORT std::vector<Touch> touchesOf(const std::vector<Contact>& contacts,
+                                        const std::vector<PathPose>& path);
+
 /// What an exploring robot knows: a map, and what it met itself, the map's own time included.
 struct ExplorationView {
   Grid<CellState> states;          ///< of the map

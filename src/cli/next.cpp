@@ -61,11 +61,18 @@ ExplorationView readView(const std::string& directory) {
   }
   const std::string readings = directory + "/readings.csv";
   if (std::filesystem::exists(readings)) {
-    std::vector<Reading> rows = readReadings(readings).readings;
-    std::stable_sort(rows.begin(), rows.end(),
-                     [](const Reading& a, const Reading& b) { return a.stamp_ns < b.stamp_ns; });
-    for (const Reading& row : rows) {
-      view.way.push_back(row.antenna_in_map);
+    std::vector<PathPose> path;
+    for (const Reading& row : readReadings(readings).readings) {
+      path.push_back({row.stamp_ns, row.antenna_in_map});
+    }
+    std::stable_sort(path.begin(), path.end(),
+                     [](const PathPose& a, const PathPose& b) { return a.stamp_ns < b.stamp_ns; });
+    for (const PathPose& pose : path) {
+      view.way.push_back(pose.antenna_in_map);
+    }
+    const std::string contacts = directory + "/contacts.csv";
+    if (std::filesystem::exists(contacts)) {
+      view.touches = touchesOf(readContacts(contacts), path);
     }
   }
   return view;
@@ -154,8 +161,8 @@ void run(const NextOptions& options) {
 void runNext(Options& options) {
   NextOptions next;
   options.addRequired("map", "DIRECTORY", next.map,
-                      "map of sfw map or ~save_map; readings.csv and access_points.yaml beside it "
-                      "count too");
+                      "map of sfw map or ~save_map; readings.csv, contacts.csv and "
+                      "access_points.yaml beside it count too");
   options.add("from", "X,Y", next.from,
               "where the robot is [m]; by default at the last one of readings.csv");
   options.add("yaw", "DEGREES", next.yaw_deg, "its heading, counter-clockwise from x");

@@ -40,6 +40,21 @@ std::vector<std::string> validate(const ExplorationConfig& config) {
   return problems.list();
 }
 
+std::vector<Touch> touchesOf(const std::vector<Contact>& contacts,
+                             const std::vector<PathPose>& path) {
+  std::vector<Touch> touches;
+  for (const Contact& contact : contacts) {
+    const auto pose =
+        std::min_element(path.begin(), path.end(), [&](const PathPose& a, const PathPose& b) {
+          return std::abs(a.stamp_ns - contact.stamp_ns) < std::abs(b.stamp_ns - contact.stamp_ns);
+        });
+    if (pose != path.end() && pose->antenna_in_map != contact.point_in_map) {
+      touches.push_back({pose->antenna_in_map, contact.point_in_map});
+    }
+  }
+  return touches;
+}
+
 ExplorationView viewOf(const Snapshot& snapshot) {
   const GridGeometry& geometry = snapshot.belief.geometry();
   ExplorationView view{Grid<CellState>(geometry), Grid<float>(geometry), snapshot.walls};
@@ -55,15 +70,7 @@ ExplorationView viewOf(const Snapshot& snapshot) {
   for (const PathPose& pose : snapshot.path) {
     view.way.push_back(pose.antenna_in_map);
   }
-  for (const Contact& contact : snapshot.contacts) {
-    const auto pose = std::min_element(
-        snapshot.path.begin(), snapshot.path.end(), [&](const PathPose& a, const PathPose& b) {
-          return std::abs(a.stamp_ns - contact.stamp_ns) < std::abs(b.stamp_ns - contact.stamp_ns);
-        });
-    if (pose != snapshot.path.end() && pose->antenna_in_map != contact.point_in_map) {
-      view.touches.push_back({pose->antenna_in_map, contact.point_in_map});
-    }
-  }
+  view.touches = touchesOf(snapshot.contacts, snapshot.path);
   return view;
 }
 

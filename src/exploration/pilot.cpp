@@ -27,6 +27,9 @@ void Pilot::step(const RobotPose& pose, const std::optional<Position>& touched, 
 }
 
 void Pilot::pause() {
+  if (finished()) {
+    return;
+  }
   driver_.stop();
   state_ = Driver::State::kIdle;
   goal_.reset();

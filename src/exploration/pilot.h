@@ -25,7 +25,7 @@ class Pilot {
   bool finished() const { return explorer_.phase() == Explorer::Phase::kFinished || stuck(); }
   bool stuck() const { return state_ == Driver::State::kStuck; }
 
-  /// The driver stops; step() starts it again.
+  /// The driver stops, unless all has ended; step() starts it again.
   void pause();
 
   const Explorer& explorer() const { return explorer_; }

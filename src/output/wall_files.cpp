@@ -1,5 +1,6 @@
 #include "output/wall_files.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "files/round_length.h"
@@ -197,6 +198,7 @@ std::string wallsYaml(const std::vector<WallSegment>& walls) {
 
 std::vector<WallSegment> readWalls(const std::string& file) {
   return readYaml(file, [](const YAML::Node& node) {
+    constexpr double kHalfStep = 0.0005;
     std::vector<WallSegment> walls;
     if (!node.IsMap() || !node["walls"].IsSequence()) {
       throw InputError("it holds no list `walls`; make it with sfw map");
@@ -208,10 +210,12 @@ std::vector<WallSegment> readWalls(const std::string& file) {
         wall.to = {row["to"][0].as<double>(), row["to"][1].as<double>()};
         wall.confidence = row["confidence"].as<double>();
         wall.is_outer = row["outer"].as<bool>();
-        if (!wall.from.allFinite() || !wall.to.allFinite() || !(wall.confidence > 0.0) ||
-            !(wall.confidence < 1.0)) {
+        if (!wall.from.allFinite() || !wall.to.allFinite() || !(wall.confidence >= 0.0) ||
+            !(wall.confidence <= 1.0)) {
           throw InputError("its numbers are out of range");
         }
+        // The file rounds to thousandths.
+        wall.confidence = std::clamp(wall.confidence, kHalfStep, 1.0 - kHalfStep);
         walls.push_back(wall);
       } catch (const std::exception& error) {
         throw InputError("wall " + std::to_string(walls.size() + 1) +

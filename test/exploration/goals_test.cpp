@@ -100,6 +100,16 @@ TEST(Goals, KnowNoWayOutOfTouchedWalls) {
   EXPECT_FALSE(wayTo(view, kHere, {3.0, 0.0}, {}));
 }
 
+TEST(Touches, AreThoseOfThePoseNearestInTime) {
+  const std::vector<PathPose> path{{1000, {0.0, 0.0}}, {2000, {1.0, 0.0}}, {3000, {2.0, 0.0}}};
+  const std::vector<Contact> contacts{{2100, {1.15, 0.0}}, {3000, {2.0, 0.0}}};
+  const std::vector<Touch> touches = touchesOf(contacts, path);
+  ASSERT_EQ(touches.size(), 1u);
+  EXPECT_EQ(touches.front().robot, Position(1.0, 0.0));
+  EXPECT_EQ(touches.front().point, Position(1.15, 0.0));
+  EXPECT_TRUE(touchesOf(contacts, {}).empty());
+}
+
 TEST(Goals, RefuseSettingsOutOfRange) {
   ExplorationConfig config;
   config.speed_m_s = 0.0;

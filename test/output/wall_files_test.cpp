@@ -300,6 +300,16 @@ TEST_F(WallFiles, AreReadBack) {
   }
 }
 
+TEST_F(WallFiles, HoldWallsThatAreNearlySure) {
+  std::vector<WallSegment> sure = kWalls;
+  sure[0].confidence = 0.99996;
+  sure[1].confidence = 0.00001;
+  for (const WallSegment& wall : readWalls(write("walls.yaml", wallsYaml(sure)))) {
+    EXPECT_GT(wall.confidence, 0.0);
+    EXPECT_LT(wall.confidence, 1.0);
+  }
+}
+
 TEST_F(WallFiles, NameAWallThatCannotBeUsed) {
   const std::string file = write(
       "walls.yaml", "walls:\n  - {from: [0, 0], to: [1, 0], confidence: 1.5, outer: false}\n");

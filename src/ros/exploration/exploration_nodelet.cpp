@@ -246,6 +246,7 @@ void ExplorationNodelet::step() {
     return;
   }
   if (!at) {
+    pilot_->pause();  // move_base must not drive on either
     drive(false);
     return;
   }
