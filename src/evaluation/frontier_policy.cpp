@@ -13,7 +13,7 @@
 namespace sfw {
 namespace {
 
-// The defaults of explore_lite 2.1.
+// The values of explore_lite 2.1 in its explore.launch.
 constexpr double kPotentialScale = 3.0;
 constexpr double kGainScale = 1.0;
 constexpr double kMinFrontierM = 0.3;  // 0.75 by default, before frontiers are cut
@@ -145,7 +145,8 @@ std::vector<FrontierPolicy::Frontier> FrontierPolicy::frontiers(const Position& 
     const double length = sum.cells * geometry.resolution();
     if (length >= kMinFrontierM) {
       found.push_back(
-          {sum.position / sum.cells, kPotentialScale * sum.nearest - kGainScale * length});
+          {sum.position / sum.cells,
+           kPotentialScale * sum.nearest * geometry.resolution() - kGainScale * length});
     }
   }
   return found;

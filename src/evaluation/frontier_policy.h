@@ -11,10 +11,11 @@
 namespace sfw {
 
 /// Drives to frontiers of the map by the rules of explore_lite 2.1 (Hörner, "Map-merging for
-/// multi-robot system", 2016) with its default settings.
+/// multi-robot system", 2016) with the settings of its launch file.
 ///
 /// A frontier is a connected set of unknown cells beside free ones that the robot reaches through
-/// free cells. Its cost is 3 times the distance of its nearest cell less its length [m]. The robot
+/// free cells. Its cost is 3 times the distance of its nearest cell [m] times
+/// the resolution [m], as explore_lite has it, less its length [m]. The robot
 /// drives to the centroid of the cheapest one. It is helped: a frontier all around the robot has
 /// its centroid there, and the exploration would end at once, so frontiers are cut at the lines of
 /// a lattice of 1 m. A frontier is given up after 30 s without progress. Touches are obstacles for
