@@ -63,10 +63,15 @@ std::optional<ExplorationGoal> Explorer::next() {
 }
 
 std::optional<ExplorationGoal> Explorer::bestGoal() {
-  goals_ = rankGoals(view(), pose_, config_, kChoice);
+  const ExplorationView view = this->view();
+  abandoned_.erase(std::remove_if(abandoned_.begin(), abandoned_.end(),
+                                  [&](const Abandoned& other) { return other.until_s <= now_s_; }),
+                   abandoned_.end());
+  // Goals are too far apart for two of them to lie near one that failed.
+  goals_ = rankGoals(view, pose_, config_, kChoice + abandoned_.size());
   const auto wanted = [&](const ExplorationGoal& goal) {
     return std::none_of(abandoned_.begin(), abandoned_.end(), [&](const Abandoned& other) {
-      return now_s_ < other.until_s && (other.position - goal.position).norm() < kAbandonedM;
+      return (other.position - goal.position).norm() < kAbandonedM;
     });
   };
   const auto found = std::find_if(goals_.begin(), goals_.end(), wanted);
@@ -74,17 +79,22 @@ std::optional<ExplorationGoal> Explorer::bestGoal() {
     end("nothing more is worth a drive");
     return std::nullopt;
   }
-  // From the goal the robot returns by the way it came.
-  const std::optional<ExplorationGoal> back = wayTo(view(), pose_, start_.position, config_);
-  const double home_s = limits_.return_home && back ? back->travel_s : 0.0;
-  if (mustReturn(home_s + 2.0 * found->travel_s)) {
+  if (isLimited() && exceedsLimits(*found, view)) {
     end("the budget is used up");
     return std::nullopt;
   }
   return *found;
 }
 
-bool Explorer::mustReturn(double more_s) const {
+bool Explorer::isLimited() const { return limits_.time_s > 0.0 || limits_.way_m > 0.0; }
+
+bool Explorer::exceedsLimits(const ExplorationGoal& goal, const ExplorationView& view) const {
+  double more_s = goal.travel_s;
+  if (limits_.return_home) {
+    // From the goal the robot returns by the way it came.
+    const std::optional<ExplorationGoal> back = wayTo(view, pose_, start_.position, config_);
+    more_s += goal.travel_s + (back ? back->travel_s : 0.0);
+  }
   return (limits_.time_s > 0.0 && now_s_ - start_s_ + more_s > limits_.time_s) ||
          (limits_.way_m > 0.0 && driven_m_ + more_s * config_.speed_m_s > limits_.way_m);
 }

@@ -60,7 +60,8 @@ class Explorer {
 
   std::optional<ExplorationGoal> bestGoal();
   std::optional<ExplorationGoal> home();
-  bool mustReturn(double way_home_s) const;
+  bool isLimited() const;
+  bool exceedsLimits(const ExplorationGoal& goal, const ExplorationView& view) const;
   void end(const std::string& why);
   ExplorationView view() const;
 
