@@ -1,4 +1,3 @@
-#include <cstdio>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -7,10 +6,12 @@
 
 #include "cli/building_options.h"
 #include "cli/commands.h"
+#include "cli/warnings.h"
 #include "evaluation/exploration_peers.h"
 #include "evaluation/exploration_run.h"
 #include "evaluation/exploration_score.h"
 #include "files/atomic_file.h"
+#include "files/text.h"
 #include "simulation/robot/configuration_space.h"
 #include "simulation/scenario.h"
 #include "structure_from_wifi/input_error.h"
@@ -44,20 +45,18 @@ RobotPose startOf(const ExploreOptions& options, const FloorPlan& plan) {
 }
 
 std::string rowOf(const ExplorationReport& report, const ExplorationScore& score) {
-  char text[200];
   const auto& walls = score.all.walls;
   const auto& routes = score.all.routes;
   const auto& own = score.own.walls;
-  std::snprintf(text, sizeof text, "%.0f,%.0f,%zu,%s,%.1f,%.1f,%.1f,%.3f,%.3f,%.3f,%.3f,%.3f",
-                report.time_s, report.driven_m, report.touches,
-                report.stuck      ? "stuck"
-                : report.finished ? "finished"
-                                  : "driving",
-                score.known_m2, score.wrong_m2, score.truth_m2,
-                walls && walls->f1 ? *walls->f1 : 0.0, routes ? routes->through_walls : 0.0,
-                routes ? routes->reached : 0.0, own && own->f1 ? *own->f1 : 0.0,
-                score.own.routes ? score.own.routes->through_walls : 0.0);
-  return text;
+  return formatted("%.0f,%.0f,%zu,%s,%.1f,%.1f,%.1f,%.3f,%.3f,%.3f,%.3f,%.3f", report.time_s,
+                   report.driven_m, report.touches,
+                   report.stuck      ? "stuck"
+                   : report.finished ? "finished"
+                                     : "driving",
+                   score.known_m2, score.wrong_m2, score.truth_m2,
+                   walls && walls->f1 ? *walls->f1 : 0.0, routes ? routes->through_walls : 0.0,
+                   routes ? routes->reached : 0.0, own && own->f1 ? *own->f1 : 0.0,
+                   score.own.routes ? score.own.routes->through_walls : 0.0);
 }
 
 void run(const ExploreOptions& options) {
@@ -65,6 +64,9 @@ void run(const ExploreOptions& options) {
   const RobotPose start = startOf(options, plan);
   ExplorationRunConfig config;
   config.noise = noiseLevel(options.noise);
+  if (const auto warning = oldNoiseLevelWarning(options.noise)) {
+    warn(*warning);
+  }
   config.seed = options.seed;
   config.report_s = {60.0 * static_cast<double>(options.minutes)};
   for (const std::int64_t minutes : {10, 5}) {

@@ -26,10 +26,7 @@ class TemporaryFile {
     if (descriptor_ < 0) {
       fail(target_, errno);
     }
-    // mkstemp makes the file private. A map must be as readable as other files.
-    const mode_t mask = umask(0);
-    umask(mask);
-    fchmod(descriptor_, 0666 & ~mask);
+    fchmod(descriptor_, usualPermissions(0666));
   }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -94,6 +91,12 @@ void writeAtomically(const std::vector<std::pair<std::string, std::string>>& fil
   for (const auto& temporary : temporaries) {
     temporary->keep();
   }
+}
+
+mode_t usualPermissions(mode_t all) {
+  const mode_t mask = umask(0);
+  umask(mask);
+  return all & ~mask;
 }
 
 void makeDirectories(const std::string& directory) {

@@ -5,6 +5,7 @@ Usage: exploration_test.py RESULT.xml EXPLORATION_NODE
 """
 
 import math
+import os
 import pathlib
 import sys
 import threading
@@ -22,7 +23,6 @@ class Listener:
     """What the simulator, the mapper and the exploration say."""
 
     def __init__(self, session):
-        import os
         os.environ["ROS_MASTER_URI"] = session.uri
         os.environ["ROS_IP"] = "127.0.0.1"
         import rospy

@@ -61,16 +61,12 @@ BenchReport reportOf(const Part& part) {
 }
 
 void requireNoFailure(const BenchReport& report) {
-  if (report.failures.empty()) {
-    return;
-  }
-  std::string text = std::to_string(report.failures.size()) + " of " +
-                     std::to_string(report.failures.size() + report.results.size()) +
-                     " recordings failed, and the tables lack them:";
+  std::vector<std::string> failures;
   for (const BenchFailure& failure : report.failures) {
-    text += "\n" + toText(failure.job) + ": " + failure.reason;
+    failures.push_back(toText(failure.job) + ": " + failure.reason);
   }
-  throw InputError(text);
+  requireNone(failures, report.failures.size() + report.results.size(),
+              "failed, and the tables lack them");
 }
 
 void finishBench(const BenchReport& report, const std::string& directory) {

@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-constexpr char kUniqueEnd[] = ".XXXXXX";  // as mkdtemp wants it
+constexpr std::size_t kUniqueLetters = 6;  // that mkdtemp replaces, after a dot
 
 /// The options as JSON, with what `of` makes of the name of each file.
 Json describe(const RecordingOptions& recording,
@@ -72,15 +72,14 @@ class TemporaryDirectory {
  public:
   /// @param target  the later name, in the same directory
   explicit TemporaryDirectory(const fs::path& target)
-      : name_((target.parent_path() / ('.' + target.filename().string() + kUniqueEnd)).string()) {
+      : name_((target.parent_path() /
+               ('.' + target.filename().string() + '.' + std::string(kUniqueLetters, 'X')))
+                  .string()) {
     if (mkdtemp(name_.data()) == nullptr) {
       throw std::system_error(errno, std::generic_category(),
                               target.string() + ": cannot be written");
     }
-    // mkdtemp makes the directory private. A map must be as readable as other files.
-    const mode_t mask = umask(0);
-    umask(mask);
-    chmod(name_.c_str(), 0777 & ~mask);
+    chmod(name_.c_str(), usualPermissions(0777));
   }
   TemporaryDirectory(const TemporaryDirectory&) = delete;
   TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
@@ -156,7 +155,7 @@ void makeRow(const MapRow& row, const MapOrigin& origin, const std::string& dire
 }
 
 void removeUnfinished(const std::vector<MapRow>& rows, const std::string& directory) {
-  constexpr std::size_t kEnd = sizeof kUniqueEnd - 1;
+  constexpr std::size_t kEnd = kUniqueLetters + 1;
   std::set<std::string> names;
   for (const MapRow& row : rows) {
     names.insert("." + row.name);

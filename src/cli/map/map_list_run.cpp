@@ -34,17 +34,12 @@ std::string rowFile(const std::string& directory, const std::string& name) {
 
 /// @throw InputError naming each row without a map, as the list lacks them.
 void requireNoFailure(const Part& part) {
-  if (part.failures.empty()) {
-    return;
-  }
-  std::string text = std::to_string(part.failures.size()) + " of " +
-                     std::to_string(part.failures.size() + part.results.size()) +
-                     " recordings could not be mapped:";
+  std::vector<std::string> failures;
   for (const Json& failure : part.failures) {
-    text += "\n" + failure.at("name").get<std::string>() + ": " +
-            failure.at("reason").get<std::string>();
+    failures.push_back(failure.at("name").get<std::string>() + ": " +
+                       failure.at("reason").get<std::string>());
   }
-  throw InputError(text);
+  requireNone(failures, part.failures.size() + part.results.size(), "could not be mapped");
 }
 
 void writeIndex(const Part& part, const std::string& directory) {

@@ -144,6 +144,19 @@ Json workOf(const std::string& command) {
   return {{"command", command}, {"version", version()}, {"program", hexText(hashOfProgram())}};
 }
 
+void requireNone(const std::vector<std::string>& failures, std::size_t rows,
+                 const std::string& outcome) {
+  if (failures.empty()) {
+    return;
+  }
+  std::string text = std::to_string(failures.size()) + " of " + std::to_string(rows) +
+                     " recordings " + outcome + ":";
+  for (const std::string& failure : failures) {
+    text += "\n" + failure;
+  }
+  throw InputError(text);
+}
+
 void writePart(const Part& part, const Shard& shard, const std::string& directory) {
   const std::string file = directory + '/' + partNameOf(shard);
   const Json json{{"work", part.work},

@@ -20,6 +20,13 @@ struct Part {
   nlohmann::json failures = nlohmann::json::array();  ///< each with the key "reason"
 };
 
+/// @throw InputError naming each failure and how many of the rows failed, if there is any
+/// @param failures  one line each
+/// @param rows      with and without a failure
+/// @param outcome   of the failures, in words: "failed"
+void requireNone(const std::vector<std::string>& failures, std::size_t rows,
+                 const std::string& outcome);
+
 /// Writes the part file of a shard, and says on standard error what it holds.
 /// @throw std::system_error naming the file and why
 void writePart(const Part& part, const Shard& shard, const std::string& directory);

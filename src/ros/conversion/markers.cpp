@@ -31,6 +31,8 @@ std_msgs::ColorRGBA toColour(const Colour& colour, float opacity = 1.0F) {
   return message;
 }
 
+}  // namespace
+
 visualization_msgs::Marker marker(const std_msgs::Header& header, const char* name, int id,
                                   int type, double size, const Colour& colour) {
   visualization_msgs::Marker message;
@@ -46,13 +48,15 @@ visualization_msgs::Marker marker(const std_msgs::Header& header, const char* na
 
 visualization_msgs::Marker label(const std_msgs::Header& header, const char* name, int id,
                                  const std::string& text, const geometry_msgs::Point& at,
-                                 const Colour& colour, double letter_height_m = kLetterHeight) {
+                                 const Colour& colour, double letter_height_m) {
   visualization_msgs::Marker message = marker(
       header, name, id, visualization_msgs::Marker::TEXT_VIEW_FACING, letter_height_m, colour);
   message.text = text;
   message.pose.position = at;
   return message;
 }
+
+namespace {
 
 visualization_msgs::Marker pathMarker(const Snapshot& snapshot, const std_msgs::Header& header) {
   constexpr double kDot = 0.08;  // [m]
@@ -297,7 +301,7 @@ void addLegend(const Snapshot& snapshot, const std_msgs::Header& header,
   for (int walls = 0; walls <= most; ++walls) {
     const Position at(area.min().x() + 1.1 * walls, area.min().y() - 1.0);
     markers.markers.push_back(label(header, "legend", walls, "k = " + std::to_string(walls),
-                                    toPoint(at, 0.1), wallCountColour(walls)));
+                                    toPoint(at, 0.1), wallCountColour(walls), kLetterHeight));
   }
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <geometry_msgs/Point.h>
 #include <std_msgs/Header.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include "files/colour.h"
 #include "structure_from_wifi/data_checks.h"
 #include "structure_from_wifi/snapshot.h"
 
@@ -17,5 +19,16 @@ namespace sfw {
 /// contradict its given position is orange. A line leads to the position that fits.
 visualization_msgs::MarkerArray toMarkers(const Snapshot& snapshot, const DataFindings& findings,
                                           const std_msgs::Header& header);
+
+/// A marker at the origin of its frame, of one colour.
+/// @param type  of visualization_msgs/Marker
+/// @param size  in each direction [m]
+visualization_msgs::Marker marker(const std_msgs::Header& header, const char* name, int id,
+                                  int type, double size, const Colour& colour);
+
+/// A text that faces the viewer, with letters of a height [m].
+visualization_msgs::Marker label(const std_msgs::Header& header, const char* name, int id,
+                                 const std::string& text, const geometry_msgs::Point& at,
+                                 const Colour& colour, double letter_height_m);
 
 }  // namespace sfw

@@ -60,4 +60,10 @@ YAML::Node toYaml(const XmlRpc::XmlRpcValue& value, const std::string& name) {
   }
 }
 
+YAML::Node parametersOf(const ros::NodeHandle& node) {
+  XmlRpc::XmlRpcValue tree;
+  node.getParam(node.getNamespace(), tree);
+  return toYaml(tree);
+}
+
 }  // namespace sfw

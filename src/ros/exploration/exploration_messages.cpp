@@ -3,28 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <limits>
 
+#include "files/text.h"
+#include "ros/conversion/markers.h"
 #include "ros/conversion/message_conversion.h"
 
 namespace sfw {
 namespace {
 
-visualization_msgs::Marker marker(const std_msgs::Header& header, const char* name, int id,
-                                  int type) {
-  visualization_msgs::Marker marker;
-  marker.header = header;
-  marker.ns = name;
-  marker.id = id;
-  marker.type = type;
-  marker.pose.orientation.w = 1.0;
-  marker.color.r = 0.1F;
-  marker.color.g = 0.6F;
-  marker.color.b = 0.2F;
-  marker.color.a = 1.0F;
-  return marker;
-}
+constexpr Colour kGreen{0.10, 0.60, 0.20};
 
 GridGeometry geometryOf(const nav_msgs::MapMetaData& info) {
   return GridGeometry(static_cast<double>(info.resolution),
@@ -105,31 +93,28 @@ visualization_msgs::MarkerArray toMarkers(const std::vector<ExplorationGoal>& go
                                           const std::optional<ExplorationGoal>& goal,
                                           const std_msgs::Header& header) {
   using visualization_msgs::Marker;
-  constexpr double kHeight = 0.2;
+  constexpr double kHeight = 0.2;  // above the map [m]
+  constexpr double kAside = 0.3;   // of texts from their goals [m]
+  constexpr double kLetterHeight = 0.25;
+  constexpr double kWidth = 0.06;  // of the way [m]
   visualization_msgs::MarkerArray array;
-  array.markers.push_back(marker(header, "goals", 0, Marker::SPHERE));
+  array.markers.push_back(marker(header, "goals", 0, Marker::SPHERE, 0.0, kGreen));
   array.markers.back().action = Marker::DELETEALL;
   int id = 0;
   for (const ExplorationGoal& one : goals) {
-    Marker ball = marker(header, "goals", id, Marker::SPHERE);
-    ball.pose.position = toPoint(one.position, kHeight);
     const double share = one.rate_m2_s / std::max(goals.front().rate_m2_s, 1e-9);
-    ball.scale.x = ball.scale.y = ball.scale.z = 0.1 + 0.2 * share;
-    array.markers.push_back(ball);
-    Marker text = marker(header, "gains", id, Marker::TEXT_VIEW_FACING);
-    text.pose.position = toPoint(one.position, 2.0 * kHeight);
-    text.pose.position.y += 0.3;
-    text.scale.z = 0.25;
-    char words[40];
-    std::snprintf(words, sizeof words, "%.1f m2 in %.0f s", one.area_m2 + one.walls_m2,
-                  one.travel_s);
-    text.text = words;
-    array.markers.push_back(text);
+    array.markers.push_back(marker(header, "goals", id, Marker::SPHERE, 0.1 + 0.2 * share, kGreen));
+    array.markers.back().pose.position = toPoint(one.position, kHeight);
+    const std::string text =
+        formatted("%.1f m2 in %.0f s", one.area_m2 + one.walls_m2, one.travel_s);
+    const Position beside = one.position + Position(0.0, kAside);
+    array.markers.push_back(
+        label(header, "gains", id, text, toPoint(beside, kHeight), kGreen, kLetterHeight));
     ++id;
   }
   if (goal && goal->way.size() > 1) {
-    Marker way = marker(header, "way", 0, Marker::LINE_STRIP);
-    way.scale.x = 0.06;
+    Marker way = marker(header, "way", 0, Marker::LINE_STRIP, kWidth, kGreen);
+    way.scale.y = way.scale.z = 0.0;  // a line has a width alone
     for (const Position& at : goal->way) {
       way.points.push_back(toPoint(at, kHeight));
     }

@@ -34,10 +34,7 @@ ExplorationNodelet::~ExplorationNodelet() {
 
 void ExplorationNodelet::onInit() {
   try {
-    XmlRpc::XmlRpcValue tree;
-    const ros::NodeHandle& parameters = getPrivateNodeHandle();
-    parameters.getParam(parameters.getNamespace(), tree);
-    settings_ = explorationSettingsFromYaml(toYaml(tree));
+    settings_ = explorationSettingsFromYaml(parametersOf(getPrivateNodeHandle()));
     for (const std::string& warning : settings_.warnings) {
       NODELET_WARN_STREAM(warning);
     }

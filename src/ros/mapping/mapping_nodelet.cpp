@@ -94,9 +94,7 @@ void MappingNodelet::loadParameters() {
 
 void MappingNodelet::readParameters() {
   const ros::NodeHandle& node = getPrivateNodeHandle();
-  XmlRpc::XmlRpcValue tree;
-  node.getParam(node.getNamespace(), tree);
-  const YAML::Node settings = toYaml(tree);
+  const YAML::Node settings = parametersOf(node);
   const MappingSettings reading = mappingSettingsFromYaml(settings);
   for (const std::string& warning : reading.warnings) {
     NODELET_WARN_STREAM(node.getNamespace() << "/" << warning);

@@ -72,10 +72,7 @@ void SimulatorNodelet::onInit() {
 }
 
 void SimulatorNodelet::loadParameters() {
-  const ros::NodeHandle& parameters = getPrivateNodeHandle();
-  XmlRpc::XmlRpcValue tree;
-  parameters.getParam(parameters.getNamespace(), tree);
-  const YAML::Node settings = toYaml(tree);
+  const YAML::Node settings = parametersOf(getPrivateNodeHandle());
   for (const std::string& name : unknownSimulatorSettings(settings)) {
     NODELET_WARN_STREAM("parameter " << name
                                      << " is not a setting of the simulation and is ignored");

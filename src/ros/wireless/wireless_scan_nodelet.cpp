@@ -24,10 +24,7 @@ WirelessScanNodelet::~WirelessScanNodelet() {
 
 void WirelessScanNodelet::onInit() {
   try {
-    XmlRpc::XmlRpcValue tree;
-    const ros::NodeHandle& parameters = getPrivateNodeHandle();
-    parameters.getParam(parameters.getNamespace(), tree);
-    settings_ = wirelessSettingsFromYaml(toYaml(tree));
+    settings_ = wirelessSettingsFromYaml(parametersOf(getPrivateNodeHandle()));
     for (const std::string& warning : settings_.warnings) {
       NODELET_WARN_STREAM(warning);
     }
