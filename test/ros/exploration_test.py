@@ -4,11 +4,13 @@
 Usage: exploration_test.py RESULT.xml EXPLORATION_NODE
 """
 
+import functools
 import math
 import os
 import pathlib
 import sys
 import threading
+import traceback
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
@@ -128,67 +130,95 @@ class MoveBase:
             self.results.publish(result)
 
 
-class Exploration(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.session = RosSession()
-        cls.session.__enter__()
-        cls.addClassCleanup(cls.session.__exit__)
-        cls.listener = Listener(cls.session)
+def in_own_process(test):
+    """Runs the test in a child with a master and a rospy node of its own.
 
+    A process can be a node only once, and connections of one test must not reach the next.
+    """
+    @functools.wraps(test)
+    def run(self):
+        reading, writing = os.pipe()
+        child = os.fork()
+        if child == 0:
+            text = ""
+            try:
+                with RosSession() as session:
+                    self.session, self.listener = session, Listener(session)
+                    test(self)
+            except BaseException:
+                text = traceback.format_exc()
+            with os.fdopen(writing, "w", encoding="utf-8") as pipe:
+                pipe.write(text)
+            os._exit(0)
+        os.close(writing)
+        with os.fdopen(reading, encoding="utf-8") as pipe:
+            text = pipe.read()
+        _, status = os.waitpid(child, 0)
+        if text or status:
+            self.fail(text or "the test's process ended with status %d" % status)
+    return run
+
+
+class Exploration(unittest.TestCase):
     def launch(self, *arguments):
-        self.listener.pose, self.listener.driven, self.listener.touches = None, 0.0, 0
-        self.listener.finished, self.listener.free_m2 = False, 0.0
-        self.listener.status, self.listener.command = "", None
-        process = self.session.start("explore", "roslaunch", "structure_from_wifi", "explore.launch",
-                                     "rviz:=false", "time_scale:=5",
-                                     "save_directory:=%s" % (self.session.folder / "maps"),
-                                     *arguments)
-        self.addCleanup(self.session.stop, process)
-        return process
+        return self.session.start("explore", "roslaunch", "structure_from_wifi", "explore.launch",
+                                  "rviz:=false", "time_scale:=5",
+                                  "save_directory:=%s" % (self.session.folder / "maps"),
+                                  *arguments)
+
+    def wait(self, condition, seconds, what):
+        """Waits for the condition; a failure tells what the processes wrote."""
+        try:
+            wait_until(condition, seconds, what)
+        except Exception as error:
+            said = "\n".join(self.say(process) for process in self.session.processes)
+            raise AssertionError("%s\nstatus: %s\n%s" % (error, self.listener.status, said))
 
     def say(self, process):
         return self.session.text_of(process)[-3000:]
 
+    @in_own_process
     def test_a_robot_with_bumpers_explores_and_returns(self):
         process = self.launch("time_budget:=90")
         hear = self.listener
-        wait_until(lambda: hear.driven > 5.0, 90, "the robot's drive")
+        self.wait(lambda: hear.driven > 5.0, 90, "the robot's drive")
         self.assertGreater(hear.goals, 0, "no goals for rviz")
         self.assertEqual(hear.status, "The robot explores.")
-        wait_until(lambda: hear.finished, 120, "the end of the exploration\n" + self.say(process))
+        self.wait(lambda: hear.finished, 120, "the end of the exploration")
         self.assertGreater(hear.touches, 0)
         self.assertGreater(hear.free_m2, 8.0)
         self.assertLess(math.dist(hear.pose, START), 0.6, "the robot did not return")
         self.assertIn("the budget is used up", self.say(process))
         self.assertFalse(hear.call("start").success)
 
+    @in_own_process
     def test_stop_halts_the_robot_and_start_goes_on(self):
         self.launch("autostart:=false")
         hear = self.listener
-        wait_until(lambda: "stands" in hear.status, 90, "the exploration's start")
-        wait_until(lambda: hear.pose, 60, "the simulator's start")
+        self.wait(lambda: "stands" in hear.status, 90, "the exploration's start")
+        self.wait(lambda: hear.pose, 60, "the simulator's start")
         self.assertLess(hear.driven, 0.01)
         self.assertTrue(hear.call("start").success)
-        wait_until(lambda: hear.driven > 1.0, 90, "the robot's drive")
+        self.wait(lambda: hear.driven > 1.0, 90, "the robot's drive")
         self.assertTrue(hear.call("stop").success)
-        wait_until(lambda: hear.command and hear.command.linear.x == 0.0, 10, "a command to stop")
+        self.wait(lambda: hear.command and hear.command.linear.x == 0.0, 10, "a command to stop")
         threading.Event().wait(1.0)  # five seconds of the simulation, to brake
         driven = hear.driven
         threading.Event().wait(2.0)
         self.assertLess(hear.driven - driven, 0.01)
         self.assertTrue(hear.call("start").success)
-        wait_until(lambda: hear.driven > driven + 1.0, 60, "the robot's drive after a stop")
+        self.wait(lambda: hear.driven > driven + 1.0, 60, "the robot's drive after a stop")
 
     def test_a_bad_parameter_is_named(self):
-        node = self.session.start("node", sys.argv[1],
-                                  "_driver:=legs", "_speed:=0", "_view:=many")
-        self.assertNotEqual(node.wait(30), 0)
-        text = self.session.text_of(node)
+        with RosSession() as session:
+            node = session.start("node", sys.argv[1], "_driver:=legs", "_speed:=0", "_view:=many")
+            self.assertNotEqual(node.wait(30), 0)
+            text = session.text_of(node)
         for problem in ("driver must be bumpers or move_base; it is legs", "speed must lie in",
                         "view must be a number"):
             self.assertIn(problem, text)
 
+    @in_own_process
     def test_goals_go_to_move_base(self):
         from std_msgs.msg import Bool
         rospy = self.listener.rospy
@@ -197,26 +227,22 @@ class Exploration(unittest.TestCase):
         self.session.set_parameter("/exploration/driver", "move_base")
         # navigate.launch needs a real move_base, so the nodes start one by one.
         hear = self.listener
-        hear.command, hear.pose = None, None
-        demo = self.session.start("demo", "roslaunch", "structure_from_wifi", "demo.launch",
-                                  "rviz:=false", "drive:=cmd_vel", "time_scale:=2")
-        self.addCleanup(self.session.stop, demo)
-        node = self.session.start("node", sys.argv[1],
-                                  "__name:=exploration")
-        self.addCleanup(self.session.stop, node)
-        wait_until(lambda: move_base.goals, 90, "the first goal\n" + hear.status)
+        self.session.start("demo", "roslaunch", "structure_from_wifi", "demo.launch",
+                           "rviz:=false", "drive:=cmd_vel", "time_scale:=2")
+        self.session.start("node", sys.argv[1], "__name:=exploration")
+        self.wait(lambda: move_base.goals, 90, "the first goal")
         first = move_base.goals[0]
         # A goal that fails is not sent again.
         move_base.answer(move_base.status_type.ABORTED)
-        wait_until(lambda: len(move_base.goals) > 1, 60, "a goal after one that failed")
+        self.wait(lambda: len(move_base.goals) > 1, 60, "a goal after one that failed")
         self.assertGreater(math.dist(first, move_base.goals[1]), 0.5)
         # After a touch the goal is cancelled, and the robot drives backwards.
         self.assertFalse(move_base.cancelled)
         contact.publish(True)
-        wait_until(lambda: move_base.cancelled, 30, "the end of a goal after a touch")
-        wait_until(lambda: hear.command and hear.command.linear.x < 0.0, 30, "the way back")
+        self.wait(lambda: move_base.cancelled, 30, "the end of a goal after a touch")
+        self.wait(lambda: hear.command and hear.command.linear.x < 0.0, 30, "the way back")
         contact.publish(False)
-        wait_until(lambda: len(move_base.goals) > 2, 60, "a goal after a touch")
+        self.wait(lambda: len(move_base.goals) > 2, 60, "a goal after a touch")
 
 
 if __name__ == "__main__":
