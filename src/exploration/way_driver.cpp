@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kGain = 2.5;         // of headings: yaw rate over error [1/s]
 constexpr double kTurnBegins = 0.6;   // error of the heading at which the robot stops to turn [rad]
-constexpr double kTurnEnds = 0.1;     // [rad]
-constexpr double kLookahead = 0.4;    // [m]
+constexpr double kTurnEnds = 0.3;     // [rad]
+constexpr double kLookahead = 0.2;    // [m]
 constexpr double kMotion = 0.05;      // less is no motion [m]
 constexpr double kTurnMotion = 0.2;   // less is no turn [rad]
 constexpr double kReflexShare = 0.5;  // of the speed, in reflexes
@@ -27,7 +27,7 @@ double difference(double to, double from) { return std::remainder(to - from, 2.0
 void WayDriver::follow(std::vector<Position> way) {
   way_ = std::move(way);
   next_ = 0;
-  turning_ = true;
+  turning_ = false;
   state_ = way_.empty() ? State::kArrived : State::kDriving;
   last_moved_.reset();
 }

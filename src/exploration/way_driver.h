@@ -12,8 +12,8 @@ namespace sfw {
 
 /// Drives a robot that has nothing but bumpers.
 ///
-/// It turns on the spot towards the next point of the way, then drives there, correcting its
-/// heading. After a touch it backs off, and the way is blocked. A robot that does not come forward
+/// It drives to the points of its way in curves, and turns on the spot where these would be too
+/// wide. After a touch it backs off, and the way is blocked. A robot that does not come forward
 /// frees itself: it backs off, turns, and drives in another direction. Not thread-safe.
 class WayDriver : public Driver {
  public:

@@ -45,6 +45,18 @@ TEST(WayDriver, ArrivesAtTheEndOfAWay) {
   EXPECT_LT((drive.robot.pose().position - Position(-1.0, 1.5)).norm(), 0.15);
 }
 
+TEST(WayDriver, BeginsAWayInACurveUnlessItLeadsAside) {
+  const auto firstSpeed = [](const Position& to) {
+    WayDriver driver{WayDriver::Config()};
+    driver.follow({to});
+    driver.step(RobotPose(), false, 0.0);
+    EXPECT_GT(driver.command().yaw_rate_rad_s, 0.0);
+    return driver.command().speed_m_s;
+  };
+  EXPECT_GT(firstSpeed({2.0, 1.0}), 0.4);
+  EXPECT_EQ(firstSpeed({1.0, 2.0}), 0.0);
+}
+
 TEST(WayDriver, BacksOffAfterATouch) {
   Drive drive{SimulatedRobot(hall(), {}, {})};
   drive.driver.follow({{0.0, 0.0}, {4.0, 0.3}});
