@@ -225,6 +225,8 @@ class Exploration(unittest.TestCase):
         move_base = MoveBase(rospy)
         contact = rospy.Publisher("contact", Bool, queue_size=1)
         self.session.set_parameter("/exploration/driver", "move_base")
+        # Launch files set it after this, and a node that starts earlier would miss it.
+        self.session.set_parameter("/use_sim_time", True)
         # navigate.launch needs a real move_base, so the nodes start one by one.
         hear = self.listener
         self.session.start("demo", "roslaunch", "structure_from_wifi", "demo.launch",
