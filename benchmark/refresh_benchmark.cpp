@@ -21,13 +21,11 @@
 
 #include "belief/free_probability.h"
 #include "comparison.h"
+#include "long_drive.h"
 #include "mapping/fused_belief.h"
-#include "office_floor.h"
 #include "radio/shadowing.h"
 #include "ros/conversion/markers.h"
 #include "ros/conversion/message_conversion.h"
-#include "simulation/robot/route_planner.h"
-#include "simulation/scenario.h"
 #include "structure_from_wifi/data_checks.h"
 #include "structure_from_wifi/mapper.h"
 #include "structure_from_wifi/octomap_export.h"
@@ -38,34 +36,9 @@ namespace sfw {
 namespace {
 
 constexpr int kRepetitions = 3;  // the smallest time counts: other processes disturbed the others
-constexpr double kMinute = 60.0;
-constexpr double kLongest = 200.0 * kMinute;
-constexpr double kRobotRadius = 0.15;  // [m]
 
 /// The least CPU time [s] of some calls.
 double seconds(const std::function<double()>& work) { return leastCpuSeconds(kRepetitions, work); }
-
-/// A drive along the walls of all rooms, then on patrol, then along the walls at another clearance,
-/// and so on: no two laps have the same positions.
-Scenario longDrive() {
-  ScenarioConfig config;
-  config.access_points = 3;
-  config.robot_radius_m = kRobotRadius;
-  Scenario scenario = makeScenario(officeFloor(), {}, config);
-  const Grid<CellState> states = toStates(scenario.plan);
-  for (const double clearance : {0.3, 0.2, 0.4, 0.25, 0.35, 0.45, 0.22, 0.28, 0.32, 0.38}) {
-    for (const RouteKind kind : {RouteKind::kSparse, RouteKind::kWalls}) {
-      const RecordingConfig& recording = scenario.recording;
-      if (Route(scenario.way_points, recording.speed_m_s, recording.yaw_rate_rad_s).duration() <
-          kLongest) {
-        const std::vector<Position> lap =
-            planRoute(states, kind, {kRobotRadius, clearance, scenario.way_points.back()});
-        scenario.way_points.insert(scenario.way_points.end(), lap.begin() + 1, lap.end());
-      }
-    }
-  }
-  return scenario;
-}
 
 /// Makes and serialises the messages that the nodelet publishes of a map.
 double publishedBytes(const Snapshot& snapshot) {
@@ -257,18 +230,6 @@ void measure(benchmark::State& state, const Mapper& mapper,
   for (const auto& [name, value] : counters) {
     state.counters[name] = value;
   }
-}
-
-/// The mapper after the first minutes of a recording.
-Mapper mapperAfter(double minutes, const Scenario& scenario, const std::vector<Reading>& readings) {
-  Mapper mapper(Config(), scenario.access_points);
-  for (const Reading& reading : readings) {
-    if (static_cast<double>(reading.stamp_ns) * 1e-9 <
-        scenario.recording.start_s + minutes * kMinute) {
-      mapper.insert(reading);
-    }
-  }
-  return mapper;
 }
 
 }  // namespace
