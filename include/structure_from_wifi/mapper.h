@@ -21,7 +21,34 @@ namespace sfw {
 
 class MapMethod;
 class ReadingStore;
+struct KeptFeatures;
 enum class UseRadio;
+
+/// What a live map keeps from one refresh to the next (Mapper::refresh). Not thread-safe.
+class SFW_EXPORT RefreshCache {
+ public:
+  /// Keeps nothing yet.
+  RefreshCache();
+  /// Moves what is kept.
+  /// @{
+  RefreshCache(RefreshCache&& other) noexcept;
+  RefreshCache& operator=(RefreshCache&& other) noexcept;
+  /// @}
+  ~RefreshCache();
+
+  /// Whether the last map may differ from that of Mapper::infer. Then refresh again soon, with new
+  /// readings or without.
+  bool isUnfinished() const;
+
+  /// Forgets everything. Do so after a change of many positions at once.
+  void clear();
+
+ private:
+  friend class Mapper;
+
+  std::shared_ptr<const MapMethod> method_;  // of the last refresh
+  std::unique_ptr<KeptFeatures> kept_;
+};
 
 /// Collects readings and infers a map from all of them at once.
 ///
@@ -130,8 +157,18 @@ class SFW_EXPORT Mapper {
   std::shared_ptr<const Snapshot> infer() const;
   /// @}
 
-  /// Infers the same map, and forgets the readings, the path and the contacts on the way. This
-  /// takes less memory.
+  /// Infers the map of all readings so far for a robot that drives on. It takes a third of the time
+  /// of infer(), because most of the wall field stays that of earlier refreshes.
+  ///
+  /// Of the 8 members of the wall field's ensemble, one is estimated anew, and so are those from
+  /// before a tenth of the readings, or from another turn of the building or position of an access
+  /// point. 8 refreshes in a row without new readings give the map of infer().
+  /// @param cache  of the refresh before
+  /// @param stop   as of infer()
+  std::shared_ptr<const Snapshot> refresh(RefreshCache& cache, const std::atomic<bool>& stop) const;
+
+  /// Infers the same map as infer(), and forgets the readings, the path and the contacts on the
+  /// way. This takes less memory.
   std::shared_ptr<const Snapshot> inferLast(const std::atomic<bool>& stop);
 
   /// Infers the map without any signal strength. This ablation shows the contribution of the radio.
@@ -144,7 +181,7 @@ class SFW_EXPORT Mapper {
  private:
   struct Checked;
   std::shared_ptr<const Snapshot> mapOf(Checked data, UseRadio use_radio,
-                                        const std::atomic<bool>& stop) const;
+                                        const std::atomic<bool>& stop, KeptFeatures* kept) const;
 
   Config config_;
   std::shared_ptr<const MapMethod> method_;

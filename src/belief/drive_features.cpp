@@ -74,7 +74,7 @@ Mask cellsCrossed(const GridGeometry& geometry, const std::vector<Position>& dri
 
 DriveFeatures extractDriveFeatures(const DriveData& drive, const Config& config,
                                    const std::atomic<bool>& stop,
-                                   const ExplainedVarianceLimits& limits) {
+                                   const ExplainedVarianceLimits& limits, KeptFeatures* kept) {
   const BuildingFrame frame = findBuildingFrame(drive.path, config.path.max_gap_m);
   std::vector<Position> driven;
   driven.reserve(drive.path.size());
@@ -92,8 +92,12 @@ DriveFeatures extractDriveFeatures(const DriveData& drive, const Config& config,
   Mask crossed = cellsCrossed(geometry, driven, config.path.max_gap_m);
   DrivenPath path{std::move(crossed), std::move(driven), config.path.max_gap_m,
                   config.path.footprint_radius_m};
-  WallField walls = estimateWalls(geometry, access_points, path.cells, path.robot_radius_m,
-                                  wallFieldConfig(config.tomography), stop);
+  const WallFieldConfig wall_config = wallFieldConfig(config.tomography);
+  WallField walls = kept == nullptr
+                        ? estimateWalls(geometry, access_points, path.cells, path.robot_radius_m,
+                                        wall_config, stop)
+                        : refreshWalls({frame.yaw_rad, access_points, path.cells},
+                                       path.robot_radius_m, wall_config, stop, kept->walls);
   CellFeatures cells = extractCellFeatures(path, access_points, walls, stop, limits);
   return {frame, std::move(access_points), std::move(walls), std::move(cells), std::move(path)};
 }

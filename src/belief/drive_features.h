@@ -9,6 +9,7 @@
 #include "radio/radio_bins.h"
 #include "structure_from_wifi/config.h"
 #include "structure_from_wifi/types.h"
+#include "tomography/kept_members.h"
 
 namespace sfw {
 
@@ -38,14 +39,21 @@ struct DriveFeatures {
   DrivenPath path;
 };
 
+/// What a live map keeps from one refresh to the next.
+struct KeptFeatures {
+  KeptMembers walls;
+};
+
 /// Estimates the walls from the signals of a drive and extracts the features of all cells.
 /// @param drive   with at least one position
 /// @param stop    polled; when it turns true the result is incomplete
 /// @param limits  of the explained variance in the features
+/// @param kept    of the refresh before, and changed; nullptr: everything is calculated anew
 /// @throw InputError if the grid would have more than four times map/max_cells.
 DriveFeatures extractDriveFeatures(const DriveData& drive, const Config& config,
                                    const std::atomic<bool>& stop,
-                                   const ExplainedVarianceLimits& limits = {});
+                                   const ExplainedVarianceLimits& limits = {},
+                                   KeptFeatures* kept = nullptr);
 
 /// The cells that a path crosses, without those between positions farther apart than `max_gap_m`.
 /// @param driven  positions [m] in the order driven, in the frame of `geometry`

@@ -142,13 +142,13 @@ FusedBelief inferOccupancyByTomography(const GridGeometry& geometry, const Drive
                                        const BeliefModel& model,
                                        const std::optional<WallNetwork>& network,
                                        const Config& config, UseRadio use_radio,
-                                       const std::atomic<bool>& stop) {
+                                       const std::atomic<bool>& stop, KeptFeatures* kept) {
   FusedBelief belief = withoutEvidence(geometry, drive);
   if (drive.path.empty()) {
     return belief;
   }
   const DriveFeatures features = extractDriveFeatures(
-      drive, network ? onCellsOfNetwork(config) : config, stop, kTrustedVariance);
+      drive, network ? onCellsOfNetwork(config) : config, stop, kTrustedVariance, kept);
   if (stop) {
     return belief;
   }

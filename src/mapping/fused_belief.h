@@ -45,11 +45,12 @@ struct FusedBelief {
 /// @param network    finds walls beside the way of the robot; no such walls without it
 /// @param use_radio  kNo: the ablation without signal strength
 /// @param stop       polled; when it turns true the result is incomplete
+/// @param kept       as of extractDriveFeatures
 /// @throw as extractDriveFeatures
 FusedBelief inferOccupancyByTomography(const GridGeometry& geometry, const DriveData& drive,
                                        const BeliefModel& model,
                                        const std::optional<WallNetwork>& network,
                                        const Config& config, UseRadio use_radio,
-                                       const std::atomic<bool>& stop);
+                                       const std::atomic<bool>& stop, KeptFeatures* kept = nullptr);
 
 }  // namespace sfw

@@ -48,7 +48,7 @@ class KVisibilityMethod : public MapMethod {
 
   MethodResult infer(const GridGeometry& geometry, Inliers& inliers,
                      const std::vector<AccessPointSummary>& access_points, UseRadio use_radio,
-                     const std::atomic<bool>& stop) const override {
+                     const std::atomic<bool>& stop, KeptFeatures* /*kept*/) const override {
     std::vector<CountedPath> counted_paths;
     std::vector<std::vector<int>> walls(access_points.size());
     std::vector<WallCountClusters> clusters;

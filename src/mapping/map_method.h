@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/use_radio.h"
+#include "belief/drive_features.h"
 #include "mapping/inliers.h"
 #include "structure_from_wifi/config.h"
 #include "structure_from_wifi/grid_geometry.h"
@@ -37,9 +38,11 @@ class MapMethod {
   /// @param access_points  in the order of `inliers.readings`; the method ignores the readings of
   ///                       those without position
   /// @param stop           polled; once it is true, the result is incomplete
+  /// @param kept           by a live map from one refresh to the next; nullptr: nothing is
   virtual MethodResult infer(const GridGeometry& geometry, Inliers& inliers,
                              const std::vector<AccessPointSummary>& access_points,
-                             UseRadio use_radio, const std::atomic<bool>& stop) const = 0;
+                             UseRadio use_radio, const std::atomic<bool>& stop,
+                             KeptFeatures* kept) const = 0;
 };
 
 std::unique_ptr<const MapMethod> makeTomographyMethod(const Config& config);

@@ -130,6 +130,13 @@ struct Mapper::Checked {
   }
 };
 
+RefreshCache::RefreshCache() : kept_(std::make_unique<KeptFeatures>()) {}
+RefreshCache::RefreshCache(RefreshCache&& other) noexcept = default;
+RefreshCache& RefreshCache::operator=(RefreshCache&& other) noexcept = default;
+RefreshCache::~RefreshCache() = default;
+bool RefreshCache::isUnfinished() const { return kept_->walls.isUnfinished(); }
+void RefreshCache::clear() { *this = RefreshCache(); }
+
 Mapper::Mapper(const Config& config, const std::vector<AccessPoint>& access_points)
     : config_(config), method_(makeMapMethod(config)) {
   throwIfAny(validate(config));
@@ -209,22 +216,32 @@ std::shared_ptr<const Snapshot> Mapper::infer() const {
 }
 
 std::shared_ptr<const Snapshot> Mapper::infer(const std::atomic<bool>& stop) const {
-  return mapOf({*store_, config_}, UseRadio::kYes, stop);
+  return mapOf({*store_, config_}, UseRadio::kYes, stop, nullptr);
+}
+
+std::shared_ptr<const Snapshot> Mapper::refresh(RefreshCache& cache,
+                                                const std::atomic<bool>& stop) const {
+  if (cache.method_ != method_) {  // it holds the settings
+    cache.clear();
+    cache.method_ = method_;
+  }
+  return mapOf({*store_, config_}, UseRadio::kYes, stop, cache.kept_.get());
 }
 
 std::shared_ptr<const Snapshot> Mapper::inferLast(const std::atomic<bool>& stop) {
   Checked data(*store_, config_);
   store_->drop();
-  return mapOf(std::move(data), UseRadio::kYes, stop);
+  return mapOf(std::move(data), UseRadio::kYes, stop, nullptr);
 }
 
 std::shared_ptr<const Snapshot> Mapper::inferWithoutRadio() const {
   const std::atomic<bool> never{false};
-  return mapOf({*store_, config_}, UseRadio::kNo, never);
+  return mapOf({*store_, config_}, UseRadio::kNo, never, nullptr);
 }
 
 std::shared_ptr<const Snapshot> Mapper::mapOf(Checked data, UseRadio use_radio,
-                                              const std::atomic<bool>& stop) const {
+                                              const std::atomic<bool>& stop,
+                                              KeptFeatures* kept) const {
   Inliers& inliers = data.inliers;
   RecordingFindings& findings = data.findings;
   removeSentinels(findings.sentinels, store_->accessPoints(), inliers.readings);
@@ -242,7 +259,7 @@ std::shared_ptr<const Snapshot> Mapper::mapOf(Checked data, UseRadio use_radio,
   const JoinedRadios radios = radiosOf(store_->accessPoints(), findings, inliers);
   findings.aliases.groups = radios.groups;
   estimatePositions(radios.radio_of, inliers.readings, access_points, stop);
-  MethodResult result = method_->infer(geometry, inliers, access_points, use_radio, stop);
+  MethodResult result = method_->infer(geometry, inliers, access_points, use_radio, stop, kept);
   if (stop) {
     return nullptr;
   }

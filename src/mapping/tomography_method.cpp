@@ -59,7 +59,7 @@ class TomographyMethod : public MapMethod {
 
   MethodResult infer(const GridGeometry& geometry, Inliers& inliers,
                      const std::vector<AccessPointSummary>& access_points, UseRadio use_radio,
-                     const std::atomic<bool>& stop) const override {
+                     const std::atomic<bool>& stop, KeptFeatures* kept) const override {
     DriveData drive{positionsOf(inliers.path, config_.path.max_gap_m), {}, inliers.contacts};
     std::vector<std::size_t> used;  // index of each access point in the drive
     for (std::size_t i = 0; i < access_points.size(); ++i) {
@@ -74,8 +74,8 @@ class TomographyMethod : public MapMethod {
         used.push_back(i);
       }
     }
-    FusedBelief fused =
-        inferOccupancyByTomography(geometry, drive, model_, network_, config_, use_radio, stop);
+    FusedBelief fused = inferOccupancyByTomography(geometry, drive, model_, network_, config_,
+                                                   use_radio, stop, kept);
     MethodResult result{std::move(fused.occupied), std::move(fused.probability)};
     result.walls.resize(access_points.size());
     for (std::size_t i = 0; i < used.size(); ++i) {

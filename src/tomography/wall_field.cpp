@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include "base/constants.h"
 #include "base/erase_if.h"
@@ -95,7 +96,9 @@ void addTo(Grid<float>& sum, const LineField& member, float share) {
     const auto enter = [&](auto&& cellAtCentre) {
       forEachCell(sum.geometry, [&](Cell c) {
         const Cell at = cellAtCentre(c);
-        sum[c] += share * (loss.walls_along_y[at] + loss.walls_along_x[at]);
+        if (lattice.geometry.contains(at)) {  // a kept member may be smaller
+          sum[c] += share * (loss.walls_along_y[at] + loss.walls_along_x[at]);
+        }
       });
     };
     if (lattice.yaw_rad == 0.0) {
@@ -118,6 +121,55 @@ void weakenBesidePath(const Grid<double>& distance, double radius_m, Grid<float>
   }
 }
 
+/// The members of a wall field and their mean.
+class Ensemble {
+ public:
+  /// All arguments are those of estimateWalls, and must outlive this.
+  Ensemble(const GridGeometry& geometry, const std::vector<AccessPointBins>& access_points,
+           const Mask& path, double robot_radius_m, const WallFieldConfig& config,
+           const std::atomic<bool>& stop)
+      : geometry_(geometry),
+        access_points_(access_points),
+        distance_(distanceTransform(path)),
+        robot_radius_m_(robot_radius_m),
+        config_(config),
+        stop_(stop) {}
+
+  LineField solved(int member) const {
+    const std::vector<LineLattice> lattices = shiftedLattices(member, geometry_, config_);
+    std::vector<Mask> driven;
+    driven.reserve(lattices.size());
+    for (const LineLattice& lattice : lattices) {
+      driven.push_back(coveredOn(lattice, distance_, robot_radius_m_));
+    }
+    return solveLineField(lattices, subsample(member, access_points_, config_), driven,
+                          config_.line, stop_);
+  }
+
+  WallField combined(std::vector<LineField> members) const {
+    WallField result{std::move(members), Grid<float>(geometry_), {}};
+    for (const LineField& member : result.members) {
+      addTo(result.loss_db, member, 1.0F / static_cast<float>(config_.ensemble_size));
+    }
+    weakenBesidePath(distance_, robot_radius_m_, result.loss_db);
+    for (const AccessPointBins& one : access_points_) {
+      result.ray_loss_db.emplace_back(one.bins.size(), 0.0);
+      for (std::size_t i = 0; i < one.bins.size() && !stop_; ++i) {
+        result.ray_loss_db.back()[i] = lossBetween(result, one.position, one.bins[i].position);
+      }
+    }
+    return result;
+  }
+
+ private:
+  const GridGeometry& geometry_;
+  const std::vector<AccessPointBins>& access_points_;
+  Grid<double> distance_;  // to the path, in cells
+  double robot_radius_m_;
+  const WallFieldConfig& config_;
+  const std::atomic<bool>& stop_;
+};
+
 }  // namespace
 
 double lossBetween(const WallField& field, const Position& from, const Position& to) {
@@ -132,27 +184,20 @@ WallField estimateWalls(const GridGeometry& geometry,
                         const std::vector<AccessPointBins>& access_points, const Mask& path,
                         double robot_radius_m, const WallFieldConfig& config,
                         const std::atomic<bool>& stop) {
-  WallField result{{}, Grid<float>(geometry), {}};
-  const Grid<double> distance = distanceTransform(path);
+  const Ensemble ensemble(geometry, access_points, path, robot_radius_m, config, stop);
+  std::vector<LineField> members;
   for (int member = 0; member < config.ensemble_size && !stop; ++member) {
-    const std::vector<LineLattice> lattices = shiftedLattices(member, geometry, config);
-    std::vector<Mask> driven;
-    driven.reserve(lattices.size());
-    for (const LineLattice& lattice : lattices) {
-      driven.push_back(coveredOn(lattice, distance, robot_radius_m));
-    }
-    result.members.push_back(solveLineField(lattices, subsample(member, access_points, config),
-                                            driven, config.line, stop));
-    addTo(result.loss_db, result.members.back(), 1.0F / static_cast<float>(config.ensemble_size));
+    members.push_back(ensemble.solved(member));
   }
-  weakenBesidePath(distance, robot_radius_m, result.loss_db);
-  for (const AccessPointBins& one : access_points) {
-    result.ray_loss_db.emplace_back(one.bins.size(), 0.0);
-    for (std::size_t i = 0; i < one.bins.size() && !stop; ++i) {
-      result.ray_loss_db.back()[i] = lossBetween(result, one.position, one.bins[i].position);
-    }
-  }
-  return result;
+  return ensemble.combined(std::move(members));
+}
+
+WallField refreshWalls(const WallData& data, double robot_radius_m, const WallFieldConfig& config,
+                       const std::atomic<bool>& stop, KeptMembers& kept) {
+  const Ensemble ensemble(data.path.geometry, data.access_points, data.path, robot_radius_m, config,
+                          stop);
+  return ensemble.combined(kept.refresh(
+      data, config.ensemble_size, [&](int member) { return ensemble.solved(member); }, stop));
 }
 
 }  // namespace sfw

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <vector>
 
+#include "tomography/kept_members.h"
 #include "tomography/line_field.h"
 
 namespace sfw {
@@ -49,5 +50,10 @@ WallField estimateWalls(const GridGeometry& geometry,
                         const std::vector<AccessPointBins>& access_points, const Mask& path,
                         double robot_radius_m, const WallFieldConfig& config,
                         const std::atomic<bool>& stop);
+
+/// Estimates the walls of a live map as estimateWalls does, but with members of earlier refreshes.
+/// @param kept  of the refresh before, with the same settings; refreshed
+WallField refreshWalls(const WallData& data, double robot_radius_m, const WallFieldConfig& config,
+                       const std::atomic<bool>& stop, KeptMembers& kept);
 
 }  // namespace sfw
