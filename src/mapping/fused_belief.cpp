@@ -1,13 +1,12 @@
 #include "mapping/fused_belief.h"
 
-#include <cmath>
+#include <utility>
 
-#include "base/function_versions.h"
 #include "belief/free_and_rim.h"
 #include "belief/free_probability.h"
-#include "grid/for_each_cell.h"
 #include "grid/morphology.h"
 #include "grid/robot_evidence.h"
+#include "mapping/resampling.h"
 #include "mapping/walls_on_map.h"
 #include "walls/network_inputs.h"
 #include "walls/network_walls.h"
@@ -16,52 +15,19 @@
 namespace sfw {
 namespace {
 
-/// Interpolates linearly between the centres of the four nearest cells; `outside` stands for cells
-/// beyond the grid.
-float interpolated(const Grid<float>& values, const Position& position, float outside) {
-  const GridGeometry& geometry = values.geometry;
-  const Position at = geometry.toCells(position) - Position(0.5, 0.5);
-  const Cell low{static_cast<std::int64_t>(std::floor(at.x())),
-                 static_cast<std::int64_t>(std::floor(at.y()))};
-  const auto x = static_cast<float>(at.x() - static_cast<double>(low.x));
-  const auto y = static_cast<float>(at.y() - static_cast<double>(low.y));
-  const auto value = [&](std::int64_t dx, std::int64_t dy) {
-    const Cell c{low.x + dx, low.y + dy};
-    return geometry.contains(c) ? values[c] : outside;
-  };
-  return (1.0F - y) * ((1.0F - x) * value(0, 0) + x * value(1, 0)) +
-         y * ((1.0F - x) * value(0, 1) + x * value(1, 1));
-}
-
-/// Resamples a grid of the building frame on the grid of the map.
-SFW_FUNCTION_VERSIONS
-Grid<float> onMap(const GridGeometry& geometry, const Grid<float>& values,
-                  const BuildingFrame& frame, float outside) {
-  Grid<float> result(geometry, outside);
-  const Eigen::Matrix2d to_building = frame.toBuildingAxes();
-  forEachCell(geometry, [&](Cell c) {
-    result[c] = interpolated(values, to_building * geometry.centre(c), outside);
-  });
-  return result;
-}
-
 /// The belief model gives probabilities of free space, and a map holds those of occupied space.
 /// Only this function converts between them.
-Grid<float> occupancyOnMap(const GridGeometry& geometry, const Grid<float>& free,
-                           const BuildingFrame& frame) {
-  Grid<float> occupied = onMap(geometry, free, frame, kUnknownOccupancy);
-  for (float& p : occupied.cells) {
+Grid<float> occupancyOf(Grid<float> free) {
+  for (float& p : free.cells) {
     p = 1.0F - p;
   }
-  return occupied;
+  return free;
 }
 
 /// The network's probability that each cell is occupied. Cells that a lidar would hardly see have
 /// none, because no drive like those of its training tells what stands there.
-Grid<float> probabilityByNetwork(const GridGeometry& geometry, const NetworkFindings& found,
-                                 const BuildingFrame& frame) {
-  Grid<float> probability = onMap(geometry, found.occupied, frame, kUnknownOccupancy);
-  const Grid<float> unseen = onMap(geometry, found.unseen, frame, 1.0F);
+/// @param unseen  probability that a lidar would not see a cell, on the grid of the map
+Grid<float> withoutUnseen(Grid<float> probability, const Grid<float>& unseen) {
   constexpr float kHardlySeen = 0.5F;
   for (std::size_t i = 0; i < probability.cells.size(); ++i) {
     if (unseen.cells[i] > kHardlySeen) {
@@ -125,15 +91,19 @@ Config onCellsOfNetwork(Config config) {
   return config;
 }
 
-/// Enters what the network finds.
-/// @param open  cells on the map that no wall may take
-/// @return the cells of walls on the map
-Mask enterFindings(const NetworkFindings& found, const GridGeometry& building, const Mask& open,
-                   FusedBelief& belief) {
-  belief.walls = segmentsInMap(found.walls, building, belief.frame);
-  belief.occupied = occupancyOnMap(open.geometry, found.free, belief.frame);
-  belief.probability = probabilityByNetwork(open.geometry, found, belief.frame);
-  return wallsOnMap(found.walls, building, belief.frame, open);
+/// Enters what the network finds, and the losses of walls.
+void enterFindings(const NetworkFindings& found, const Grid<float>& loss_db,
+                   const GridGeometry& geometry, FusedBelief& belief) {
+  std::vector<Grid<float>> grids = onMap(geometry,
+                                         {{found.free, kUnknownOccupancy},
+                                          {found.occupied, kUnknownOccupancy},
+                                          {found.unseen, 1.0F},
+                                          {loss_db, 0.0F}},
+                                         belief.frame);
+  belief.occupied = occupancyOf(std::move(grids[0]));
+  belief.probability = withoutUnseen(std::move(grids[1]), grids[2]);
+  belief.wall_loss = std::move(grids[3]);
+  belief.walls = segmentsInMap(found.walls, loss_db.geometry, belief.frame);
 }
 
 }  // namespace
@@ -169,12 +139,15 @@ FusedBelief inferOccupancyByTomography(const GridGeometry& geometry, const Drive
     // One more cell than the footprint stays open, so that a planner that rounds to cells can drive
     // the robot's way again.
     const Mask open = dilated(path, radius_m / geometry.resolution() + 1.0);
-    walls = enterFindings(found, features.cells.geometry, open, belief);
+    enterFindings(found, features.walls.loss_db, geometry, belief);
+    walls = wallsOnMap(found.walls, features.cells.geometry, belief.frame, open);
   } else {
-    belief.occupied = occupancyOnMap(geometry, free, features.frame);
+    std::vector<Grid<float>> grids =
+        onMap(geometry, {{free, kUnknownOccupancy}, {features.walls.loss_db, 0.0F}}, belief.frame);
+    belief.occupied = occupancyOf(std::move(grids[0]));
     belief.probability = belief.occupied;
+    belief.wall_loss = std::move(grids[1]);
   }
-  belief.wall_loss = onMap(geometry, features.walls.loss_db, features.frame, 0.0F);
   belief.sample_loss_db = sampleLosses(drive, features, config.tomography.bin_size_m);
   if (stop) {
     return belief;
