@@ -152,9 +152,9 @@ Channels wallRasters(const WallDrive& drive, Config config) {
   const BeliefModel model = configuredBeliefModel(config.belief);
   const StyleShares style = model.shares(features.cells.style);
   const Mask footprint = footprintOf(features.path);
+  const Grid<float> free = freeProbability(features.cells, model, style, UseRadio::kYes);
   const Channels inputs =
-      networkInputs(features, footprint, model, style, UseRadio::kYes,
-                    freeProbability(features.cells, model, style, UseRadio::kYes));
+      channelsOf(networkInputs(features, footprint, model, style, UseRadio::kYes, free));
   Channels rasters(inputs.count() + wallLabelNames().size(), inputs.height(), inputs.width());
   std::copy(inputs.values().begin(), inputs.values().end(), rasters.values().begin());
   const auto label = [&](std::size_t number) { return rasters.row(inputs.count() + number, 0); };

@@ -8,16 +8,48 @@
 namespace sfw {
 namespace {
 
-/// Surrounds every raster with zeros.
-Channels withBorder(const Channels& input) {
-  Channels result(input.count(), input.height() + 2, input.width() + 2);
-  for (std::size_t c = 0; c < input.count(); ++c) {
-    for (std::size_t y = 0; y < input.height(); ++y) {
-      std::copy_n(input.row(c, y), input.width(), result.row(c, y + 1) + 1);
+/// Three rows of each channel: those around one row of the result, with zeros around the raster.
+/// They stay in the cache while all outputs of the row are calculated.
+class RowsAround {
+ public:
+  explicit RowsAround(const RowSource& input)
+      : input_(input), rows_(input.count, kRows, input.width + 2) {
+    load(0);
+  }
+
+  /// Moves on to a row; rows come one by one from 0.
+  void moveTo(std::size_t y) {
+    y_ = y;
+    load(y + 1);
+  }
+
+  const float* above(std::size_t channel) const { return at(channel, y_ + kRows - 1); }
+  const float* here(std::size_t channel) const { return at(channel, y_); }
+  const float* below(std::size_t channel) const { return at(channel, y_ + 1); }
+
+ private:
+  static constexpr std::size_t kRows = 3;
+
+  void load(std::size_t y) {
+    float* const to = rows_.row(0, y % kRows) + 1;
+    const std::size_t stride = kRows * rows_.width();
+    if (y < input_.height) {
+      input_.write(y, to, stride);
+      return;
+    }
+    for (std::size_t c = 0; c < input_.count; ++c) {
+      std::fill_n(to + c * stride, input_.width, 0.0F);
     }
   }
-  return result;
-}
+
+  const float* at(std::size_t channel, std::size_t y) const {
+    return rows_.row(channel, y % kRows);
+  }
+
+  const RowSource& input_;
+  Channels rows_;  // row y of the input, modulo kRows
+  std::size_t y_ = 0;
+};
 
 /// Adds a row of one channel, weighted by a kernel of one cell.
 SFW_FUNCTION_VERSIONS
@@ -40,74 +72,32 @@ void addSquare(const float* above, const float* here, const float* below, const 
 
 }  // namespace
 
-Channels convolve(const Channels& input, const Convolution& convolution, Activation activation) {
-  if (input.count() != convolution.inputs) {
+Channels convolve(const RowSource& input, const Convolution& convolution, Activation activation) {
+  if (input.count != convolution.inputs) {
     throw std::invalid_argument("a convolution got another number of channels than it has weights");
   }
   const bool square = convolution.edge == 3;
-  const Channels from = square ? withBorder(input) : input;
   const std::size_t kernel = convolution.edge * convolution.edge;
-  Channels result(convolution.outputs, input.height(), input.width());
-  for (std::size_t o = 0; o < convolution.outputs; ++o) {
-    for (std::size_t y = 0; y < input.height(); ++y) {
+  Channels result(convolution.outputs, input.height, input.width);
+  RowsAround rows(input);
+  for (std::size_t y = 0; y < input.height; ++y) {
+    rows.moveTo(y);
+    const float* k = convolution.weights.data();
+    for (std::size_t o = 0; o < convolution.outputs; ++o) {
       float* to = result.row(o, y);
-      std::fill_n(to, input.width(), convolution.bias[o]);
-      for (std::size_t c = 0; c < input.count(); ++c) {
-        const float* k = convolution.weights.data() + (o * input.count() + c) * kernel;
+      std::fill_n(to, input.width, convolution.bias[o]);
+      for (std::size_t c = 0; c < input.count; ++c, k += kernel) {
         if (square) {
-          addSquare(from.row(c, y), from.row(c, y + 1), from.row(c, y + 2), k, input.width(), to);
+          addSquare(rows.above(c), rows.here(c), rows.below(c), k, input.width, to);
         } else {
-          addPoint(from.row(c, y), *k, input.width(), to);
+          addPoint(rows.here(c) + 1, *k, input.width, to);
         }
       }
-    }
-  }
-  if (activation == Activation::kRelu) {
-    for (float& value : result.values()) {
-      value = std::max(value, 0.0F);
-    }
-  }
-  return result;
-}
-
-Channels maxPool(const Channels& input) {
-  Channels result(input.count(), input.height() / 2, input.width() / 2);
-  for (std::size_t c = 0; c < result.count(); ++c) {
-    for (std::size_t y = 0; y < result.height(); ++y) {
-      const float* upper = input.row(c, 2 * y);
-      const float* lower = input.row(c, 2 * y + 1);
-      float* to = result.row(c, y);
-      for (std::size_t x = 0; x < result.width(); ++x) {
-        to[x] = std::max(std::max(upper[2 * x], upper[2 * x + 1]),
-                         std::max(lower[2 * x], lower[2 * x + 1]));
+      if (activation == Activation::kRelu) {
+        std::transform(to, to + input.width, to, [](float value) { return std::max(value, 0.0F); });
       }
     }
   }
-  return result;
-}
-
-Channels upsample(const Channels& input) {
-  Channels result(input.count(), 2 * input.height(), 2 * input.width());
-  for (std::size_t c = 0; c < result.count(); ++c) {
-    for (std::size_t y = 0; y < result.height(); ++y) {
-      const float* from = input.row(c, y / 2);
-      float* to = result.row(c, y);
-      for (std::size_t x = 0; x < result.width(); ++x) {
-        to[x] = from[x / 2];
-      }
-    }
-  }
-  return result;
-}
-
-Channels joined(const Channels& first, const Channels& second) {
-  if (first.height() != second.height() || first.width() != second.width()) {
-    throw std::invalid_argument("only rasters of equal size can be joined");
-  }
-  Channels result(first.count() + second.count(), first.height(), first.width());
-  std::copy(first.values().begin(), first.values().end(), result.values().begin());
-  std::copy(second.values().begin(), second.values().end(),
-            result.values().begin() + static_cast<std::ptrdiff_t>(first.values().size()));
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "walls/channels.h"
+#include "walls/row_source.h"
 
 namespace sfw {
 
@@ -25,15 +26,6 @@ enum class Activation { kNone, kRelu };
 /// operation.
 /// @throw std::invalid_argument if the input has another number of channels.
 /// O(cells x weights).
-Channels convolve(const Channels& input, const Convolution& convolution, Activation activation);
-
-/// The largest value of each square of two by two cells. Height and width must be even.
-Channels maxPool(const Channels& input);
-
-/// Repeats each cell in a square of two by two cells.
-Channels upsample(const Channels& input);
-
-/// The channels of both, the first ones first. Their sizes must be equal.
-Channels joined(const Channels& first, const Channels& second);
+Channels convolve(const RowSource& input, const Convolution& convolution, Activation activation);
 
 }  // namespace sfw

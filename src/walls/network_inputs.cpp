@@ -4,8 +4,10 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "base/log_odds.h"
 #include "belief/free_probability.h"
@@ -159,12 +161,12 @@ constexpr NetworkInput kInputs[] = {
 /// Computes rasters over the whole grid first, and then the evidence of single cells.
 class Evidence {
  public:
-  Evidence(const DriveFeatures& features, const Mask& footprint,
-           const ModelProbabilities& with_radio, const ModelProbabilities& without_radio)
+  Evidence(const DriveFeatures& features, const Mask& footprint, ModelProbabilities with_radio,
+           ModelProbabilities without_radio)
       : features_(features),
         footprint_(footprint),
-        with_radio_(with_radio),
-        without_radio_(without_radio),
+        with_radio_(std::move(with_radio)),
+        without_radio_(std::move(without_radio)),
         geometry_(features.cells.geometry),
         loss_(directedLoss(features.walls, geometry_)),
         rays_(rayDirections(geometry_, features.access_points)),
@@ -220,8 +222,7 @@ class Evidence {
 
   const DriveFeatures& features_;
   const Mask& footprint_;
-  const ModelProbabilities& with_radio_;
-  const ModelProbabilities& without_radio_;
+  ModelProbabilities with_radio_, without_radio_;
   const GridGeometry& geometry_;
   DirectedLoss loss_;
   DirectedRasters rays_, headings_;
@@ -241,28 +242,36 @@ Mask footprintOf(const DrivenPath& path) {
   return dilated(path.cells, path.robot_radius_m / path.cells.geometry.resolution());
 }
 
-Channels networkInputs(const DriveFeatures& features, const Mask& footprint,
-                       const BeliefModel& model, const StyleShares& style, UseRadio use_radio,
-                       const Grid<float>& free) {
+RowSource networkInputs(const DriveFeatures& features, const Mask& footprint,
+                        const BeliefModel& model, const StyleShares& style, UseRadio use_radio,
+                        const Grid<float>& free) {
   const CellFeatures& cells = features.cells;
-  const ModelProbabilities by_path{singleProbabilities(cells, model, style, UseRadio::kNo),
-                                   freeProbability(cells, model, style, UseRadio::kNo)};
-  const ModelProbabilities by_all{singleProbabilities(cells, model, style, use_radio), free};
-  const GridGeometry& geometry = cells.geometry;
-  const Evidence evidence(features, footprint, by_all, by_path);
-  Channels channels(std::size(kInputs), static_cast<std::size_t>(geometry.height()),
-                    static_cast<std::size_t>(geometry.width()));
-  for (std::size_t number = 0; number < features.cells.cells.size(); ++number) {
-    const CellEvidence cell = evidence.of(number);
-    float* to = channels.values().data() + features.cells.cells[number];
-    for (const NetworkInput& input : kInputs) {
-      if (use_radio == UseRadio::kYes || !input.uses_radio) {
-        *to = input.value(cell);
-      }
-      to += geometry.size();
-    }
-  }
-  return channels;
+  const auto evidence = std::make_shared<const Evidence>(
+      features, footprint,
+      ModelProbabilities{singleProbabilities(cells, model, style, use_radio), free},
+      ModelProbabilities{singleProbabilities(cells, model, style, UseRadio::kNo),
+                         freeProbability(cells, model, style, UseRadio::kNo)});
+  const auto height = static_cast<std::size_t>(cells.geometry.height());
+  const auto width = static_cast<std::size_t>(cells.geometry.width());
+  return {std::size(kInputs), height, width,
+          [evidence, use_radio, width, &described = cells.cells](std::size_t y, float* to,
+                                                                 std::size_t stride) {
+            for (std::size_t i = 0; i < std::size(kInputs); ++i) {
+              std::fill_n(to + i * stride, width, 0.0F);
+            }
+            const auto first = std::lower_bound(described.begin(), described.end(), y * width);
+            for (auto at = first; at != described.end() && *at < (y + 1) * width; ++at) {
+              const CellEvidence cell =
+                  evidence->of(static_cast<std::size_t>(at - described.begin()));
+              float* value = to + *at - y * width;
+              for (const NetworkInput& input : kInputs) {
+                if (use_radio == UseRadio::kYes || !input.uses_radio) {
+                  *value = input.value(cell);
+                }
+                value += stride;
+              }
+            }
+          }};
 }
 
 std::vector<std::string> networkInputNames() {

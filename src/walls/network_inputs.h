@@ -6,7 +6,7 @@
 #include "base/use_radio.h"
 #include "belief/belief_model.h"
 #include "belief/drive_features.h"
-#include "walls/channels.h"
+#include "walls/row_source.h"
 
 namespace sfw {
 
@@ -28,9 +28,10 @@ Mask footprintOf(const DrivenPath& path);
 /// @param footprint  as of footprintOf
 /// @param style      share of the belief model for each driving style
 /// @param free       probability of free space, with the same radio, as of freeProbability
-Channels networkInputs(const DriveFeatures& features, const Mask& footprint,
-                       const BeliefModel& model, const StyleShares& style, UseRadio use_radio,
-                       const Grid<float>& free);
+/// @return rows of rasters; `features`, `footprint` and `free` must outlive them
+RowSource networkInputs(const DriveFeatures& features, const Mask& footprint,
+                        const BeliefModel& model, const StyleShares& style, UseRadio use_radio,
+                        const Grid<float>& free);
 
 /// Names of the channels of networkInputs, in order.
 std::vector<std::string> networkInputNames();

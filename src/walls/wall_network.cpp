@@ -65,31 +65,32 @@ WallNetwork::WallNetwork(std::vector<std::string> inputs, std::array<Convolution
   }
 }
 
-Channels WallNetwork::convolved(Layer layer, const Channels& input,
+Channels WallNetwork::convolved(Layer layer, const RowSource& input,
                                 const std::atomic<bool>& stop) const {
   if (stop) {
-    return Channels(layers_[layer].outputs, input.height(), input.width());
+    return Channels(layers_[layer].outputs, input.height, input.width);
   }
   return convolve(input, layers_[layer], layer == kOutput ? Activation::kNone : Activation::kRelu);
 }
 
-Channels WallNetwork::apply(Channels rasters, const std::atomic<bool>& stop) const {
-  const auto convolved = [&](Layer layer, const Channels& input) {
+Channels WallNetwork::apply(const RowSource& rasters, const std::atomic<bool>& stop) const {
+  const auto convolved = [&](Layer layer, const RowSource& input) {
     return this->convolved(layer, input, stop);
   };
-  Channels result(kOutputs, rasters.height(), rasters.width());
-  Channels fine(rasters.count(), roundedUp(rasters.height()), roundedUp(rasters.width()));
-  copyShared(rasters, fine);
-  rasters = Channels(0, 0, 0);  // the inputs are large, so each is freed as soon as it was used
-  fine = convolved(kFine0, fine);
-  fine = convolved(kFine1, fine);
-  const Channels middle = convolved(kMiddle1, convolved(kMiddle0, maxPool(fine)));
-  const Channels coarse = convolved(kCoarse1, convolved(kCoarse0, maxPool(middle)));
-  Channels up = convolved(kCoarsest1, convolved(kCoarsest0, maxPool(coarse)));
-  up = convolved(kUpCoarse, joined(upsample(up), coarse));
-  up = convolved(kUpMiddle, joined(upsample(up), middle));
-  up = convolved(kUpFine, joined(upsample(up), fine));
-  copyShared(convolved(kOutput, up), result);
+  const auto twice = [&](Layer first, Layer second, const RowSource& input) {
+    const Channels between = convolved(first, input);
+    return convolved(second, rowsOf(between));
+  };
+  Channels result(kOutputs, rasters.height, rasters.width);
+  const Channels fine =
+      twice(kFine0, kFine1, padded(rasters, roundedUp(rasters.height), roundedUp(rasters.width)));
+  const Channels middle = twice(kMiddle0, kMiddle1, maxPooled(fine));
+  const Channels coarse = twice(kCoarse0, kCoarse1, maxPooled(middle));
+  Channels up = twice(kCoarsest0, kCoarsest1, maxPooled(coarse));
+  up = convolved(kUpCoarse, joined(upsampled(up), rowsOf(coarse)));
+  up = convolved(kUpMiddle, joined(upsampled(up), rowsOf(middle)));
+  up = convolved(kUpFine, joined(upsampled(up), rowsOf(fine)));
+  copyShared(convolved(kOutput, rowsOf(up)), result);
   return result;
 }
 

@@ -7,6 +7,7 @@
 
 #include "walls/channels.h"
 #include "walls/layers.h"
+#include "walls/row_source.h"
 
 namespace sfw {
 
@@ -52,10 +53,10 @@ class WallNetwork {
   /// @param stop     polled; when it turns true the result is incomplete
   /// @return kOutputs channels of the same size
   /// @throw std::invalid_argument if the number of channels is another.
-  Channels apply(Channels rasters, const std::atomic<bool>& stop) const;
+  Channels apply(const RowSource& rasters, const std::atomic<bool>& stop) const;
 
  private:
-  Channels convolved(Layer layer, const Channels& input, const std::atomic<bool>& stop) const;
+  Channels convolved(Layer layer, const RowSource& input, const std::atomic<bool>& stop) const;
 
   std::vector<std::string> inputs_;
   std::array<Convolution, kLayers> layers_;

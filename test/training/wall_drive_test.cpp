@@ -48,8 +48,9 @@ Channels inputsOf(const TrainingDrive& drive) {
   const DriveFeatures features = extractDriveFeatures(data, config, never, kTrustedVariance);
   const BeliefModel model = configuredBeliefModel(config.belief);
   const StyleShares style = model.shares(features.cells.style);
-  return networkInputs(features, footprintOf(features.path), model, style, UseRadio::kYes,
-                       freeProbability(features.cells, model, style, UseRadio::kYes));
+  const Mask footprint = footprintOf(features.path);
+  const Grid<float> free = freeProbability(features.cells, model, style, UseRadio::kYes);
+  return channelsOf(networkInputs(features, footprint, model, style, UseRadio::kYes, free));
 }
 
 TEST(WallRasters, BeginWithTheInputsOfTheNetwork) {

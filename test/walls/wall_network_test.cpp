@@ -54,7 +54,7 @@ TEST(WallNetwork, KeepsTheSizeOfRastersOfAnySize) {
   for (std::size_t i = 0; i < input.values().size(); ++i) {
     input.values()[i] = static_cast<float>(i);
   }
-  const Channels output = network.apply(input, std::atomic<bool>(false));
+  const Channels output = network.apply(rowsOf(input), std::atomic<bool>(false));
   ASSERT_EQ(output.count(), 4U);
   ASSERT_EQ(output.height(), 3U);
   ASSERT_EQ(output.width(), 13U);
