@@ -56,6 +56,7 @@ class NodeletWorld : public testing::Test {
     ros::param::set(parameters + "/access_points", tableOf({{kNear, 0.5, 0.5}, {kFar, 4.0, 3.0}}));
     ros::param::set(parameters + "/ros/save_directory", folder_.string());
     ros::param::set(parameters + "/ros/publish_rate", 20.0);
+    ros::param::set(parameters + "/ros/cpu_share", 1.0);
     ros::NodeHandle node;
     transforms_ = node.advertise<tf2_msgs::TFMessage>("/tf", 1000);
     scans_ = node.advertise<structure_from_wifi::WifiScan>(name_ + "/wifi_scan", 10000);

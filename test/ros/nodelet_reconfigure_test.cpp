@@ -124,6 +124,22 @@ TEST_F(NodeletReconfigureTest, TheRateOfMapsFollows) {
   EXPECT_EQ(parameter<double>("ros/publish_rate"), 20.0);
 }
 
+TEST_F(NodeletReconfigureTest, TheShareOfACoreFollows) {
+  ros::param::set(name_ + "/mapping/ros/cpu_share", 0.01);
+  loadWithClient();
+  driveAlong();
+  ASSERT_TRUE(spinUntil([&] { return cells(0) > 0; }, 30.0 * kSlowdown));
+  EXPECT_EQ(live_.cpu_share, 0.01);
+  LiveConfig wanted = live_;
+  wanted.cpu_share = 2.0;
+  ask(wanted);
+  EXPECT_TRUE(logs(rosgraph_msgs::Log::ERROR, "ros/cpu_share must be"));
+  wanted.cpu_share = 1.0;
+  ask(wanted);
+  EXPECT_EQ(live_.cpu_share, 1.0);
+  EXPECT_EQ(parameter<double>("ros/cpu_share"), 1.0);
+}
+
 TEST_F(NodeletReconfigureTest, ANodeThatStartsAgainKeepsWhatWasChanged) {
   loadWithClient();
   LiveConfig wanted = live_;

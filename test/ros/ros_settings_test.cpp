@@ -42,6 +42,10 @@ TEST(RosSettings, NumbersHaveTheirRanges) {
   }
   EXPECT_EQ(brokenBy("ros/transform_timeout", -1e-9), Names{"ros/transform_timeout"});
   EXPECT_EQ(brokenBy("ros/transform_timeout", 0.0), Names());
+  EXPECT_EQ(brokenBy("ros/cpu_share", 0.0), Names{"ros/cpu_share"});
+  EXPECT_EQ(brokenBy("ros/cpu_share", 1.01), Names{"ros/cpu_share"});
+  EXPECT_EQ(brokenBy("ros/cpu_share", 0.01), Names());
+  EXPECT_EQ(brokenBy("ros/cpu_share", 1.0), Names());
   EXPECT_EQ(brokenBy("ros/autosave_period", -1e-9), Names{"ros/autosave_period"});
   EXPECT_EQ(brokenBy("ros/autosave_period", 0.0), Names());
   EXPECT_EQ(brokenBy("ros/max_waiting", std::int64_t{0}), Names{"ros/max_waiting"});

@@ -54,6 +54,12 @@ TEST(RefreshRule, CountsContactsAndIgnoresPositionsThatNoMapHas) {
   }
 }
 
+TEST(UpdatePeriod, IsTheLongerOfRateAndShare) {
+  EXPECT_DOUBLE_EQ(updatePeriod(1.0, 0.25, 0.1), 1.0);
+  EXPECT_DOUBLE_EQ(updatePeriod(1.0, 0.25, 0.5), 2.0);
+  EXPECT_DOUBLE_EQ(updatePeriod(20.0, 1.0, 0.5), 0.5);
+}
+
 TEST(Region, AnLShapeContainsItsArmsOnly) {
   const std::vector<Position> l = {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}};
   EXPECT_TRUE(contains(l, {2.5, 0.5}));

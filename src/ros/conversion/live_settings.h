@@ -15,6 +15,7 @@ template <class AnyLive, class AnySettings, class Visitor>
 void forEachLiveSetting(AnyLive& live, AnySettings& settings, Visitor&& visit) {
   auto& belief = settings.config.belief;
   visit("ros/publish_rate", live.publish_rate, settings.ros.publish_rate_hz);
+  visit("ros/cpu_share", live.cpu_share, settings.ros.cpu_share);
   visit("ros/autosave_period", live.autosave_period, settings.ros.autosave_period_s);
   visit("belief/free_threshold", live.free_threshold, belief.free_threshold);
   visit("belief/occupied_threshold", live.occupied_threshold, belief.occupied_threshold);

@@ -90,6 +90,8 @@ std::vector<std::string> validate(const RosSettings& settings) {
   problems.positive("ros/jump_distance", settings.jump_distance_m);
   problems.positive("ros/jump_angle", settings.jump_angle_rad);
   problems.positive("ros/publish_rate", settings.publish_rate_hz);
+  constexpr double kLeastShare = 0.01;  // one update of 0.2 s in 20 s
+  problems.within("ros/cpu_share", settings.cpu_share, kLeastShare, 1.0);
   problems.notNegative("ros/transform_timeout", settings.transform_timeout_s);
   problems.positive("ros/tf_cache", settings.tf_cache_s);
   problems.atLeast("ros/max_waiting", settings.max_waiting, 1);

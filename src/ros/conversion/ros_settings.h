@@ -22,6 +22,7 @@ struct RosSettings {
   double jump_distance_m = 0.1;             ///< a larger correction of odom_frame moves the past
   double jump_angle_rad = 0.05;             ///< a larger turn of odom_frame moves it too
   double publish_rate_hz = 1.0;             ///< upper limit of map updates
+  double cpu_share = 0.25;                  ///< of one core that map updates may take
   double transform_timeout_s = 5.0;         ///< longest wait of a scan for its transform
   double tf_cache_s = 30.0;                 ///< time for which transforms are stored
   std::int64_t max_waiting = 2000;          ///< scans that may wait for a transform
@@ -46,6 +47,7 @@ void forEachRosSetting(AnySettings& settings, Visitor&& visit) {
   visit("ros/jump_distance", settings.jump_distance_m);
   visit("ros/jump_angle", settings.jump_angle_rad);
   visit("ros/publish_rate", settings.publish_rate_hz);
+  visit("ros/cpu_share", settings.cpu_share);
   visit("ros/transform_timeout", settings.transform_timeout_s);
   visit("ros/tf_cache", settings.tf_cache_s);
   visit("ros/max_waiting", settings.max_waiting);

@@ -150,6 +150,10 @@ class MappingNodelet : public nodelet::Nodelet {
   /// throws, the map is due as before.
   Mapping publishMap(Checks checks);
   Mapping makeMap(Checks checks);
+  /// Whether something is new, or a kept part of the last map is out of date.
+  bool isUpdateDue();
+  /// The map of a copy, with parts of the last one.
+  std::shared_ptr<const Snapshot> refreshed(const SharedMapper::Copy& copy, bool has_jumped);
   void noteUpdate(double inference_s);
   /// Logs each fault once, until the next reset.
   void reportFaults(const std::vector<MapNote>& notes);
@@ -220,8 +224,12 @@ class MappingNodelet : public nodelet::Nodelet {
   std::mutex locating_;    // held while observations go from the queue to the mapper
   std::mutex publishing_;  // held while a map is published, and during a reset
   ros::Time last_now_;
-  ros::SteadyTime next_publication_;
-  DataChecker checker_;  // in the mapping thread only, as the next member
+  ros::SteadyTime last_update_;     // its start; in the mapping thread only, as the next members
+  double last_update_cpu_s_ = 0.0;  // CPU time that it took
+  RefreshCache refresh_cache_;
+  std::uint64_t refresh_resets_ = 0;  // of the mapper when the cache was filled
+  std::int64_t updates_without_news_ = 0;
+  DataChecker checker_;
   std::set<std::pair<MapNote::Kind, std::string>> reported_faults_;  // since the last reset
   std::atomic<bool> clear_reported_{false};
   std::set<std::string> own_directories_;  // written since the last reset; in the mapping thread

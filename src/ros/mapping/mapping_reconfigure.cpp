@@ -66,7 +66,7 @@ void MappingNodelet::takeSettings(const structure_from_wifi::LiveConfig& live,
     to = from;
     node.setParam(name, from);
   });
-  next_publication_ = next_autosave_ = ros::SteadyTime();  // by the new rates
+  next_autosave_ = ros::SteadyTime();  // by the new period
 }
 
 }  // namespace sfw

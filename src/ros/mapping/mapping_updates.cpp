@@ -1,8 +1,21 @@
 // Map updates of the mapping nodelet, all in the mapping thread.
 
+#include <ctime>
+
 #include "ros/mapping/mapping_nodelet.h"
 
 namespace sfw {
+namespace {
+
+/// The CPU time of this thread so far [s].
+double threadCpuSeconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  constexpr double kNano = 1e-9;
+  return static_cast<double>(time.tv_sec) + kNano * static_cast<double>(time.tv_nsec);
+}
+
+}  // namespace
 
 void MappingNodelet::publishWhatIsDue() {
   publishers_->publishDueMap();
@@ -10,14 +23,35 @@ void MappingNodelet::publishWhatIsDue() {
 }
 
 void MappingNodelet::updateMap() {
-  if (ros::SteadyTime::now() < next_publication_) {
+  const ros::SteadyTime now = ros::SteadyTime::now();
+  const double period_s =
+      updatePeriod(ros_settings_.publish_rate_hz, ros_settings_.cpu_share, last_update_cpu_s_);
+  if ((now - last_update_).toSec() < period_s || !isUpdateDue()) {
     return;
   }
+  last_update_ = now;
+  const double start_s = threadCpuSeconds();
+  publishMap(Checks::kChanged);
+  last_update_cpu_s_ = threadCpuSeconds() - start_s;
+}
+
+bool MappingNodelet::isUpdateDue() {
   if (changed_ || hasJumped(robots_->latestCorrections(*transforms_))) {
-    next_publication_ =
-        ros::SteadyTime::now() + ros::WallDuration(1.0 / ros_settings_.publish_rate_hz);
-    publishMap(Checks::kChanged);
+    updates_without_news_ = 0;
+    return true;
   }
+  // Readings that are no news still come while the robot stands, so the cache may never be done.
+  return refresh_cache_.isUnfinished() &&
+         updates_without_news_++ < config_.tomography.ensemble_size;
+}
+
+std::shared_ptr<const Snapshot> MappingNodelet::refreshed(const SharedMapper::Copy& copy,
+                                                          bool has_jumped) {
+  if (has_jumped || copy.resets != refresh_resets_) {
+    refresh_cache_.clear();
+    refresh_resets_ = copy.resets;
+  }
+  return copy.mapper.refresh(refresh_cache_, stop_);
 }
 
 bool MappingNodelet::hasJumped(const std::vector<OdometryCorrection>& latest) const {
@@ -43,10 +77,13 @@ MappingNodelet::Mapping MappingNodelet::publishMap(Checks checks) {
 }
 
 MappingNodelet::Mapping MappingNodelet::makeMap(Checks checks) {
-  last_map_corrections_ = robots_->latestCorrections(*transforms_);
+  const std::vector<OdometryCorrection> latest = robots_->latestCorrections(*transforms_);
+  const bool has_jumped = hasJumped(latest);
+  last_map_corrections_ = latest;
   const ros::SteadyTime start = ros::SteadyTime::now();
   Mapping mapping{mapper_->corrected(last_map_corrections_), nullptr, {}};
-  mapping.snapshot = mapping.copy.mapper.infer(stop_);
+  mapping.snapshot = checks == Checks::kAll ? mapping.copy.mapper.infer(stop_)
+                                            : refreshed(mapping.copy, has_jumped);
   if (!mapping.snapshot) {
     return mapping;
   }

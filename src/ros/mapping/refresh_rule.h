@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <tuple>
@@ -7,6 +8,14 @@
 #include "ros/mapping/localization.h"
 
 namespace sfw {
+
+/// The time from the start of one map update to the start of the next [s].
+/// @param rate_hz    upper limit of updates
+/// @param cpu_share  of one core that updates may take
+/// @param cpu_s      CPU time of the last update
+inline double updatePeriod(double rate_hz, double cpu_share, double cpu_s) {
+  return std::max(1.0 / rate_hz, cpu_s / cpu_share);
+}
 
 /// Decides which observations are worth a new map.
 ///
