@@ -4,12 +4,14 @@
 #include <cmath>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "belief/ray_evidence.h"
 #include "belief/shortest_paths.h"
 #include "grid/axis_rasters.h"
 #include "grid/distance_transform.h"
 #include "grid/morphology.h"
+#include "grid/near_squares.h"
 #include "radio/path_loss.h"
 
 namespace sfw {
@@ -21,13 +23,31 @@ using Values = Grid<float>;
 /// because farther away the depth no longer matters.
 Values signedDepth(const Mask& set) {
   constexpr double kDeepest = 1.2;  // [m]
-  const Grid<double> to_outside = distanceTransform(complement(set));
-  const Grid<double> to_set = distanceTransform(set);
   const double resolution = set.geometry.resolution();
+  const double reach = std::ceil(kDeepest / resolution);
   Values depth(set.geometry);
+  if (reach > static_cast<double>(kFarthestNear)) {
+    const Grid<double> to_outside = distanceTransform(complement(set));
+    const Grid<double> to_set = distanceTransform(set);
+    for (std::size_t i = 0; i < depth.cells.size(); ++i) {
+      depth.cells[i] = static_cast<float>(std::min(resolution * to_outside.cells[i], kDeepest) -
+                                          std::min(resolution * to_set.cells[i], kDeepest));
+    }
+    return depth;
+  }
+  const auto cells = static_cast<std::int64_t>(reach);
+  std::vector<double> limited;  // distance by its square
+  for (std::int64_t square = 0; square < (cells + 1) * (cells + 1); ++square) {
+    limited.push_back(std::min(resolution * std::sqrt(static_cast<double>(square)), kDeepest));
+  }
+  const Grid<std::int16_t> to_outside = nearSquares(complement(set), cells);
+  const Grid<std::int16_t> to_set = nearSquares(set, cells);
+  const auto limitedOf = [&](std::int16_t square) {
+    return square == kBeyondReach ? kDeepest : limited[static_cast<std::size_t>(square)];
+  };
   for (std::size_t i = 0; i < depth.cells.size(); ++i) {
-    depth.cells[i] = static_cast<float>(std::min(resolution * to_outside.cells[i], kDeepest) -
-                                        std::min(resolution * to_set.cells[i], kDeepest));
+    depth.cells[i] =
+        static_cast<float>(limitedOf(to_outside.cells[i]) - limitedOf(to_set.cells[i]));
   }
   return depth;
 }
