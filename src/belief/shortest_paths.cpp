@@ -15,7 +15,7 @@ ShortestPaths shortestPathsFrom(const Mask& path, const Grid<double>& distance,
   const double resolution = geometry.resolution();
   constexpr float kFar = 1e6F;
   ShortestPaths ways{Grid<float>(geometry, kFar), Grid<std::size_t>(geometry)};
-  Dijkstra<float> search(ways.cost);
+  BucketDijkstra search(ways.cost, static_cast<float>(resolution));
   for (std::size_t i = 0; i < path.cells.size(); ++i) {
     if (path.cells[i] != 0) {
       search.lower(geometry.cell(i), 0.0F);

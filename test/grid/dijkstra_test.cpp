@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/random.h"
 #include "grid/for_each_cell.h"
 
 namespace sfw {
@@ -105,6 +106,47 @@ TEST(ForEachCell, VisitsBothCornersOfARectangle) {
 
 TEST(ForEachCell, VisitsNothingOfAnEmptyRectangle) {
   forEachCell(Cell{1, 0}, Cell{0, 5}, [](Cell) { FAIL(); });
+}
+
+constexpr std::int64_t kSize = 60;
+const GridGeometry kSquare(0.1, {0.0, 0.0}, kSize, kSize);
+
+/// The cells in the order in which a search from two cells settles them.
+/// @param ground  the cost of a step onto each cell
+template <class Search>
+std::vector<std::size_t> settled(Search& search, const Grid<float>& cost,
+                                 const Grid<float>& ground) {
+  search.lower({3, 5}, 0.0F);
+  search.lower({40, 50}, 0.0F);
+  std::vector<std::size_t> order;
+  while (const std::optional<Cell> cell = search.settle()) {
+    order.push_back(kSquare.index(*cell));
+    for (std::int64_t dy = -1; dy <= 1; ++dy) {
+      for (std::int64_t dx = -1; dx <= 1; ++dx) {
+        const Cell next{cell->x + dx, cell->y + dy};
+        if (kSquare.contains(next) && next != *cell) {
+          search.lower(next, cost[*cell] + ground[next]);
+        }
+      }
+    }
+  }
+  return order;
+}
+
+TEST(BucketDijkstra, SettlesTheSameCellsInTheSameOrder) {
+  for (const float rough : {0.0F, 1.0F, 30.0F}) {
+    Grid<float> ground(kSquare);
+    Random random(1, 1, 1);
+    for (float& cell : ground.cells) {
+      cell = 0.1F * (1.0F + rough * static_cast<float>(random.uniform()));
+    }
+    Grid<float> one(kSquare, 1e6F);
+    Grid<float> other(kSquare, 1e6F);
+    Dijkstra<float> plain(one);
+    BucketDijkstra quick(other, 0.1F);
+    EXPECT_EQ(settled(quick, other, ground), settled(plain, one, ground));
+    EXPECT_EQ(other.cells, one.cells);
+  }
 }
 
 }  // namespace
