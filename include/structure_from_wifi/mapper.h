@@ -157,12 +157,10 @@ class SFW_EXPORT Mapper {
   std::shared_ptr<const Snapshot> infer() const;
   /// @}
 
-  /// Infers the map of all readings so far for a robot that drives on. It takes a third of the time
-  /// of infer(), because most of the wall field stays that of earlier refreshes.
-  ///
-  /// Of the 8 members of the wall field's ensemble, one is estimated anew, and so are those from
-  /// before a tenth of the readings, or from another turn of the building or position of an access
-  /// point. 8 refreshes in a row without new readings give the map of infer().
+  /// Infers the map of all readings so far for a robot that drives on. It takes half of the time
+  /// of infer() or less, because most of the wall field stays that of earlier refreshes
+  /// (doc/method/walls.md). 8 refreshes in a row without new readings give the map of infer(), or
+  /// as many as tomography/ensemble_size.
   /// @param cache  of the refresh before
   /// @param stop   as of infer()
   std::shared_ptr<const Snapshot> refresh(RefreshCache& cache, const std::atomic<bool>& stop) const;

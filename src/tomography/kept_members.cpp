@@ -17,6 +17,9 @@ constexpr double kFarthestOffM = 0.05;
 constexpr double kMuchMore = 0.1;
 constexpr double kMovedM = 0.1;
 
+/// While the robot drives, a member waits until there are so many more readings or bins.
+constexpr double kLittleMore = 0.01;
+
 bool isSame(const RadioBin& a, const RadioBin& b) {
   return a.position == b.position && a.rssi_dbm == b.rssi_dbm && a.readings == b.readings;
 }
@@ -53,6 +56,14 @@ double countReadings(const WallData& data) {
   return readings;
 }
 
+double countBins(const WallData& data) {
+  double bins = 0.0;
+  for (const AccessPointBins& one : data.access_points) {
+    bins += static_cast<double>(one.bins.size());
+  }
+  return bins;
+}
+
 std::vector<Position> accessPointsInMap(const WallData& data) {
   std::vector<Position> positions;
   for (const AccessPointBins& one : data.access_points) {
@@ -84,7 +95,8 @@ LineField movedBy(double turn_rad, const LineField& walls) {
 
 std::vector<LineField> KeptMembers::refresh(const WallData& now, int members, const Solve& solve,
                                             const std::atomic<bool>& stop) {
-  if (last_.empty() || !isSame(last_.front(), now)) {
+  const bool is_new = last_.empty() || !isSame(last_.front(), now);
+  if (is_new) {
     last_.assign(1, now);
     ++version_;
   }
@@ -93,12 +105,13 @@ std::vector<LineField> KeptMembers::refresh(const WallData& now, int members, co
       std::min_element(members_.begin(), members_.end(),
                        [](const Member& a, const Member& b) { return a.version < b.version; });
   for (Member& member : members_) {
-    const bool is_due = member.version != version_ && &member == &*oldest;
+    const bool is_due = &member == &*oldest && member.version != version_ &&
+                        (!is_new || hasGrownSince(member, now));
     if (!stop && (is_due || isTooOld(member, now))) {
       LineField walls = solve(static_cast<int>(&member - members_.data()));
       if (!stop) {
-        member = {std::move(walls), version_, now.yaw_rad, countReadings(now),
-                  accessPointsInMap(now)};
+        member = {std::move(walls),   version_,       now.yaw_rad,
+                  countReadings(now), countBins(now), accessPointsInMap(now)};
       }
     }
   }
@@ -114,6 +127,11 @@ std::vector<LineField> KeptMembers::refresh(const WallData& now, int members, co
 bool KeptMembers::isUnfinished() const {
   return std::any_of(members_.begin(), members_.end(),
                      [&](const Member& member) { return member.version != version_; });
+}
+
+bool KeptMembers::hasGrownSince(const Member& member, const WallData& now) {
+  return countReadings(now) >= (1.0 + kLittleMore) * member.readings ||
+         countBins(now) >= (1.0 + kLittleMore) * member.bins;
 }
 
 bool KeptMembers::isTooOld(const Member& member, const WallData& now) {

@@ -20,10 +20,11 @@ struct WallData {
 
 /// The members of a live map's wall field, kept from one refresh to the next.
 ///
-/// A refresh solves one member anew, the one that waits longest. The others stay as they were
-/// (doc/method/walls.md). Members too old to use are solved at once, too. Without new data, as many
-/// refreshes as there are members give the wall field of estimateWalls. The settings must stay the
-/// same; clear() if they change. Not thread-safe.
+/// A refresh solves one member anew: the oldest one, if the data have grown by a hundredth since.
+/// The others stay as they were (doc/method/walls.md). Members too old to use are solved at once,
+/// too. Without new data, each refresh solves one member, and as many refreshes as there are
+/// members give the wall field of estimateWalls. The settings must stay the same; clear() if they
+/// change. Not thread-safe.
 class KeptMembers {
  public:
   /// Solves a member of the ensemble from the data of now.
@@ -49,9 +50,11 @@ class KeptMembers {
     std::uint64_t version = 0;  // of the data; 0: none
     double yaw_rad = 0.0;
     double readings = 0.0;
+    double bins = 0.0;
     std::vector<Position> access_points_in_map;
   };
 
+  static bool hasGrownSince(const Member& member, const WallData& now);
   static bool isTooOld(const Member& member, const WallData& now);
 
   std::vector<Member> members_;

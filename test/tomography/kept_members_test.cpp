@@ -95,6 +95,19 @@ TEST(KeptMembers, SolvesTheOldestFirst) {
   EXPECT_TRUE(isSame(live.members[1], anew(now).members[1]));
 }
 
+TEST(KeptMembers, FewMoreDataWait) {
+  KeptMembers kept;
+  WallData data = dataAfter(0.9);
+  const WallField before = refreshed(data, kept);
+  for (int i = 0; i < 3; ++i) {
+    data.access_points[0].bins[0].readings += 0.1;
+    EXPECT_EQ(countOthers(refreshed(data, kept), before), 0);
+    EXPECT_TRUE(kept.isUnfinished());
+  }
+  data.access_points[0].bins[0].readings += 5.0;
+  EXPECT_EQ(countOthers(refreshed(data, kept), before), 1);
+}
+
 TEST(KeptMembers, MuchMoreDataSolveAllAtOnce) {
   KeptMembers kept;
   refreshed(dataAfter(0.5), kept);
@@ -114,7 +127,7 @@ TEST(KeptMembers, AMovedAccessPointSolvesAllAtOnce) {
   WallData data = dataAfter(0.9);
   refreshed(data, kept);
   data.access_points[1].position.x() += 0.05;  // estimates jitter
-  EXPECT_EQ(countOthers(refreshed(data, kept), anew(data)), 7);
+  EXPECT_EQ(countOthers(refreshed(data, kept), anew(data)), 8);
   data.access_points[1].position.x() += 0.15;
   expectSame(refreshed(data, kept), anew(data));
 }
