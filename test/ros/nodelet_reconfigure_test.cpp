@@ -126,17 +126,24 @@ TEST_F(NodeletReconfigureTest, TheRateOfMapsFollows) {
 
 TEST_F(NodeletReconfigureTest, TheShareOfACoreFollows) {
   ros::param::set(name_ + "/mapping/ros/cpu_share", 0.01);
+  ros::param::set(name_ + "/mapping/ros/autosave_period", 0.0);
   loadWithClient();
-  driveAlong();
+  sendPose(0.0, 1.0, 2.0);
+  sendScan(0.0, {{kNear, -50.0F}});
   ASSERT_TRUE(spinUntil([&] { return cells(0) > 0; }, 30.0 * kSlowdown));
-  EXPECT_EQ(live_.cpu_share, 0.01);
+  const std::ptrdiff_t first = cells(0);
+  sendPose(1.0, 1.5, 2.0);
+  sendScan(1.0, {{kNear, -50.0F}});
+  EXPECT_FALSE(spinUntil([&] { return cells(0) > first; }, 0.3))
+      << "after some 10 ms of CPU time, the next map is due in a second";
   LiveConfig wanted = live_;
   wanted.cpu_share = 2.0;
   ask(wanted);
-  EXPECT_TRUE(logs(rosgraph_msgs::Log::ERROR, "ros/cpu_share must be"));
+  EXPECT_TRUE(logs(rosgraph_msgs::Log::ERROR, "ros/cpu_share must"));
+  EXPECT_EQ(live_.cpu_share, 0.01);
   wanted.cpu_share = 1.0;
   ask(wanted);
-  EXPECT_EQ(live_.cpu_share, 1.0);
+  EXPECT_TRUE(spinUntil([&] { return cells(0) > first; }, 30.0 * kSlowdown));
   EXPECT_EQ(parameter<double>("ros/cpu_share"), 1.0);
 }
 
