@@ -163,6 +163,31 @@ std::string cloudSeed() {
   return bytesOf(fields);
 }
 
+std::string messageSeed(const std::string& type, const std::string& definition,
+                        const std::string& bytes) {
+  return '\4' +
+         bytesOf({textField(type), numberField(static_cast<std::uint16_t>(definition.size())),
+                  definition, bytes});
+}
+
+/// A text as messages hold it.
+std::string serialized(const std::string& text) {
+  return numberField(static_cast<std::uint32_t>(text.size())) + text;
+}
+
+std::string textSeed(const std::string& text) {
+  return messageSeed("std_msgs/String", "string data\n", serialized(text));
+}
+
+std::string diagnosticsSeed() {
+  const std::uint32_t one = 1;
+  return messageSeed(
+      "diagnostic_msgs/DiagnosticArray",
+      "Status[] status\n===\nMSG: diagnostic_msgs/Status\nKeyValue[] values\n===\n"
+      "MSG: diagnostic_msgs/KeyValue\nstring key\nstring value\n",
+      numberField(one) + numberField(one) + serialized("bssid") + serialized("02:00:00:00:00:01"));
+}
+
 }  // namespace
 
 std::vector<std::string> seeds() {
@@ -176,9 +201,12 @@ std::vector<std::string> seeds() {
                       numberField<std::int16_t>(-50), numberField(2.437)}),
       '\2' + std::string(1, '\1'),
       '\3' + cloudSeed(),
-      '\4' + bytesOf({textField("rf_msgs/Station"), numberField<std::uint16_t>(28),
-                      "uint8[6] mac\nint32 rssi # a\n", std::string("\2\0\0\0\0\1", 6),
-                      numberField<std::int32_t>(-50)}),
+      messageSeed("rf_msgs/Station", "uint8[6] mac\nint32 rssi # a\n",
+                  std::string("\2\0\0\0\0\1", 6) + numberField<std::int32_t>(-50)),
+      textSeed(R"({"data": [{"mac": "02:00:00:00:00:01", "rssi": -50, "last_seen_ms": 5}]})"),
+      textSeed("BSS 02:00:00:00:00:01(on wlan0)\n\tsignal: -50.00 dBm\n\tlast seen: 5 ms ago\n"),
+      textSeed("02:00:00:00:00:01,a,b,1,-50,1000,5"),
+      diagnosticsSeed(),
   };
 }
 

@@ -51,6 +51,42 @@ STATION_INFO = ("string bssid\nuint32 last_seen\nint8 signal\nfloat32 bitrate\nu
                 "uint32 tx_pkts\nuint32 rx_bytes\nuint32 tx_bytes\n")
 
 
+DIAGNOSTICS = ("Header header\nDiagnosticStatus[] status\n" + HEADER +
+               part("diagnostic_msgs/DiagnosticStatus",
+                    "byte OK=0\nbyte level\nstring name\nstring message\nstring hardware_id\n"
+                    "KeyValue[] values") +
+               part("diagnostic_msgs/KeyValue", "string key\nstring value"))
+IW = """BSS %s(on wlan0) -- associated
+\tlast seen: 83.250s [boottime]
+\tTSF: 1000 usec (0d, 00:00:00)
+\tfreq: 2437
+\tsignal: -50.00 dBm
+\tlast seen: 250 ms ago
+\tSSID: a
+\tBSS Load:
+\t\t * station count: 3
+BSS %s(on wlan0)
+\tsignal: -61.50 dBm
+\tlast seen: 0 ms ago
+BSS 02:00:00:00:00:0c(on wlan0)
+\tsignal: 70/100
+""" % (A, B)
+IWLIST = """wlan0     Scan completed :
+          Cell 01 - Address: %s
+                    Quality=60/70  Signal level=-50 dBm  \x20
+                    ESSID:"a"
+                    Extra: Last beacon: 250ms ago
+          Cell 02 - Address: %s
+                    Quality:49/70  Signal level:-61 dBm  Noise level:-95 dBm
+          Cell 03 - Address: 02:00:00:00:00:0C
+                    Quality=60/100  Signal level=60/100
+""" % (A.upper(), B.upper())
+
+
+def keys(**values):
+    return {"values": [{"key": key, "value": value} for key, value in sorted(values.items())]}
+
+
 def cabot(*data):
     return json.dumps({"type": "rssi", "phoneID": "robot", "timestamp": STAMPED, "data": data})
 
@@ -184,8 +220,26 @@ MESSAGES = [
     ("cabot on esp32", "std_msgs/String", "string data\n",
      {"data": cabot({"type": "WiFi", "mac": A, "rssi": -50, "channel": "6", "timestamp": 999.5})},
      [(A, -50, 999.5)]),
+    ("iw", "std_msgs/String", "string data\n", {"data": IW}, [
+        (A, -50, 1000.25), (B, -61.5, 1000.5), "1 a signal strength is 0 or missing"]),
+    ("iwlist", "std_msgs/String", "string data\n", {"data": IWLIST}, [
+        (A, -50, 1000.25), (B, -61, RECEIVED), "1 a signal strength is 0 or missing"]),
+    ("esp32", "std_msgs/String", "string data\n",
+     {"data": A.upper() + ",a, b,1,-50,1000,250000000"}, [(A, -50, STAMPED)]),
+    ("wifiscanner", "diagnostic_msgs/DiagnosticArray", DIAGNOSTICS,
+     {"header": STAMP, "status": [keys(cell="01", bssid=A, channel="6", quality="60", signal="-50"),
+                                  keys(cell="02", bssid=B, signal="-61")]},
+     [(A, -50, STAMPED), (B, -61, STAMPED)]),
+    ("wifiscanner link", "diagnostic_msgs/DiagnosticArray", DIAGNOSTICS,
+     {"header": STAMP, "status": [keys(ap_hwaddr=A, freq="2.437 GHz", signal_level="-50 dBm")]},
+     [(A, -50, STAMPED)]),
 
     # Nothing can be taken from these.
+    ("diagnostics", "diagnostic_msgs/DiagnosticArray", DIAGNOSTICS,
+     {"header": STAMP, "status": [keys(temperature="40")]},
+     ["1 its messages are of type diagnostic_msgs/DiagnosticArray, and none of its statuses has"]),
+    ("no line of an esp32", "std_msgs/String", "string data\n", {"data": A + ",-50,1000,0"},
+     ["1 its messages are of type std_msgs/String, and its text is no JSON object and no output of"]),
     ("link of nothing", "wireless_msgs/Connection",
      "float32 bitrate\nint16 txpower\nstring link_quality_raw\nfloat32 link_quality\n"
      "int16 signal_level\nint16 noise_level\nstring essid\nstring bssid\nfloat64 frequency\n",

@@ -126,7 +126,8 @@ inline constexpr ScanFormat kScanFormats[] = {
     ScanFormat{"*/WifiMeasurement", "", "bssid", "rssi"}.stampedBy("stamp"),
     ScanFormat{"*/WifiScan", "", "bssid[]", "power[]"}.stampedBy("stamp"),
     ScanFormat{"*/WifiScan", "", "mac_address", "strength"},
-    // CaBot: JSON in a text, each time all readings of the last second
+    ScanFormat{"diagnostic_msgs/DiagnosticArray", "data", "mac", "rssi"},  // see scanInDiagnostics
+    // CaBot: JSON in a text, each time all readings of the last second; or what scanInText reads
     ScanFormat{"std_msgs/String", "data", "mac", "rssi"}
         .stampedBy("timestamp", 1.0)
         .agedBy("last_seen_ms", 1e-3)

@@ -14,6 +14,7 @@
 #include "ros/conversion/message_layout.h"
 #include "ros/conversion/message_values.h"
 #include "ros/conversion/ros_settings.h"
+#include "ros/conversion/scan_text.h"
 #include "ros/conversion/scan_values.h"
 
 namespace sfw {
@@ -22,6 +23,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr char kText[] = "std_msgs/String";
+constexpr char kDiagnostics[] = "diagnostic_msgs/DiagnosticArray";
 constexpr char kFrame[] = "header.frame_id";
 constexpr double kHour = 3600.0;  // [s]; no cache of scans is older
 
@@ -221,17 +223,22 @@ std::vector<const ScanFormat*> formatsOf(const AnyMessage& message, const ScanFo
   return formats;
 }
 
-/// Reads JSON in the text of a message.
+/// Reads JSON in the text of a message, or another text that holds a scan.
+/// @param is_known  whether the format is one of kScanFormats
 Conversion readText(const AnyMessage& message, const MessageLayout& layout,
-                    const ScanFormat& format, const ros::Time& received) {
+                    const ScanFormat& format, bool is_known, const ros::Time& received) {
   const Json content = readValues(layout, message.bytes, {"data"});
-  const auto text = content.find("data");
+  const auto found = content.find("data");
+  const std::string text =
+      found != content.end() && found->is_string() ? found->get<std::string>() : std::string();
   constexpr bool kThrows = false;
-  const Json json = text != content.end() && text->is_string()
-                        ? Json::parse(text->get_ref<const std::string&>(), nullptr, kThrows)
-                        : Json(Json::value_t::discarded);
-  if (json.is_discarded() || !json.is_object()) {
-    return problem(message, "and its text is no JSON object");
+  Json json = Json::parse(text, nullptr, kThrows);
+  if (is_known && json.is_discarded()) {
+    json = scanInText(text);
+  }
+  if (!json.is_object()) {
+    return problem(message, "and its text is no JSON object" +
+                                std::string(is_known ? " and no output of iw or iwlist" : ""));
   }
   const bool has_list =
       FieldPath(format.readings).empty() || FieldPath(format.readings).find(json, 0) != nullptr;
@@ -240,6 +247,15 @@ Conversion readText(const AnyMessage& message, const MessageLayout& layout,
                                 "'; describe it as scan_format");
   }
   return ScanReader(format, json, received).read();
+}
+
+/// Reads a scan in the keys of diagnostics.
+Conversion readDiagnostics(const AnyMessage& message, const MessageLayout& layout,
+                           const ScanFormat& format, const ros::Time& received) {
+  const Json scan = scanInDiagnostics(readValues(
+      layout, message.bytes, {"header", "stamp", "frame_id", "status", "values", "key", "value"}));
+  return scan.is_null() ? problem(message, "and none of its statuses has the key bssid")
+                        : ScanReader(format, scan, received).read();
 }
 
 }  // namespace
@@ -265,8 +281,13 @@ Conversion readScan(const AnyMessage& message, const ScanFormat& own, const ros:
     return problem(message, "and their publisher does not send its definition");
   }
   const MessageLayout layout(message.type, message.definition);
+  const ScanFormat& first = *formats.front();
+  const bool is_known = &first != &own;
   if (message.type == kText) {
-    return readText(message, layout, *formats.front(), received);
+    return readText(message, layout, first, is_known, received);
+  }
+  if (message.type == kDiagnostics && is_known) {
+    return readDiagnostics(message, layout, first, received);
   }
   std::string missing;
   for (const ScanFormat* format : formats) {
