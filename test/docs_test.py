@@ -3,8 +3,8 @@
 
 Usage: docs_test.py REPOSITORY
 Fails on a long sentence, a dead link, a path that does not exist, a message in
-doc/troubleshooting.md that no source has, and a table that differs from config/mapping.yaml or
-from layering_test.py.
+doc/troubleshooting.md that no source has, a test in doc/reliability.md that does not exist, and a
+table that differs from config/mapping.yaml or from layering_test.py.
 """
 
 import pathlib
@@ -67,6 +67,16 @@ def missing_messages(text):
             if message not in source]
 
 
+def missing_tests(text):
+    """The tests that a document names and no file of test/ has."""
+    files = [path for path in sorted((ROOT / "test").rglob("*")) if path.suffix in (".cpp", ".py")]
+    source = "\n".join(path.read_text() for path in files)
+    present = set(re.findall(r"^TEST(?:_F|_P)?\(\s*\w+,\s*(\w+)", source, re.MULTILINE) +
+                  re.findall(r"def (test_\w+)\(", source))
+    return ["there is no test " + name for name in re.findall(r"`(test_\w+|[A-Z]\w+)`", text)
+            if name not in present]
+
+
 def settings():
     """The names of the settings in config/mapping.yaml, with their groups."""
     group = ""
@@ -95,6 +105,8 @@ def problems():
             yield file, problem
     for problem in missing_messages(read("doc/troubleshooting.md")):
         yield ROOT / "doc/troubleshooting.md", problem
+    for problem in missing_tests(read("doc/reliability.md")):
+        yield ROOT / "doc/reliability.md", problem
     documented = [FIRST_CELL.match(row)[1] for row in table("doc/interfaces.md", "## Parameters")]
     for problem in differences(documented, list(settings())):
         yield ROOT / "doc/interfaces.md", problem
