@@ -16,8 +16,7 @@ void check(const Config::Map& config, Problems& problems) {
 }
 
 void check(const Config::KVisibility& config, Problems& problems) {
-  problems.require(config.filter == "median" || config.filter == "mean", "k_visibility/filter",
-                   "'" + config.filter + "'", "'median' or 'mean'");
+  problems.oneOf("k_visibility/filter", config.filter, {"median", "mean"});
   problems.require(config.window >= 1 && config.window % 2 == 1, "k_visibility/window",
                    config.window, "odd and at least 1");
   problems.notNegative("k_visibility/path_loss_exponent", config.path_loss_exponent);
@@ -58,10 +57,8 @@ void check(const Config::Belief& config, Problems& problems) {
   problems.require(!(config.free_threshold > config.occupied_threshold - kLeastApart + 1e-9),
                    "belief/free_threshold", config.free_threshold,
                    "at least 0.05 lower than belief/occupied_threshold");
-  problems.require(config.walls == "none" || config.walls == "network", "belief/walls",
-                   "'" + config.walls + "'", "'none' or 'network'");
-  problems.require(config.rim == "occupied" || config.rim == "unknown", "belief/rim",
-                   "'" + config.rim + "'", "'occupied' or 'unknown'");
+  problems.oneOf("belief/walls", config.walls, {"network", "none"});
+  problems.oneOf("belief/rim", config.rim, {"unknown", "occupied"});
 }
 
 void check(const Config::Octomap& config, Problems& problems) {
@@ -73,8 +70,7 @@ void check(const Config::Octomap& config, Problems& problems) {
 
 std::vector<std::string> validate(const Config& config) {
   Problems problems;
-  problems.require(config.method == "tomography" || config.method == "k_visibility", "method",
-                   "'" + config.method + "'", "'tomography' or 'k_visibility'");
+  problems.oneOf("method", config.method, {"tomography", "k_visibility"});
   check(config.map, problems);
   check(config.k_visibility, problems);
   check(config.tomography, problems);

@@ -42,6 +42,18 @@ void Problems::probability(const std::string& name, double value) {
   require(value > 0.0 && value < 1.0, name, value, "between 0 and 1, both excluded");
 }
 
+void Problems::oneOf(const std::string& name, const std::string& value,
+                     std::initializer_list<const char*> allowed) {
+  std::string rule;
+  bool holds = false;
+  for (const char* const* word = allowed.begin(); word != allowed.end(); ++word) {
+    holds = holds || value == *word;
+    const bool is_last = word + 1 == allowed.end();
+    rule += (word == allowed.begin() ? "" : is_last ? " or " : ", ") + std::string(*word);
+  }
+  require(holds, name, "'" + value + "'", rule);
+}
+
 void Problems::frame(const std::string& name, const std::string& value) {
   require(!value.empty() && value.front() != '/', name, "'" + value + "'",
           "a frame's name without a leading slash");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -42,6 +43,10 @@ class Problems {
 
   /// Requires a value between 0 and 1, both excluded.
   void probability(const std::string& name, double value);
+
+  /// Requires one of a few words.
+  void oneOf(const std::string& name, const std::string& value,
+             std::initializer_list<const char*> allowed);
 
   /// Requires the name of a tf frame, without a leading slash.
   void frame(const std::string& name, const std::string& value);

@@ -34,7 +34,8 @@ std::optional<double> readNumber(const YAML::Node& entry, const char* key, bool 
   if (!readScalar(node, value) || !(std::abs(value) <= *parseNumber(largest))) {
     const bool has_comma = node.IsScalar() && node.Scalar().find(',') != std::string::npos;
     problems.push_back(where + ": '" + key + "' must be a number from -" + largest + " to " +
-                       largest + (has_comma ? ", with a decimal point" : ""));
+                       largest + (has_comma ? ", with a decimal point" : "") + "; it is " +
+                       foundText(node));
     return std::nullopt;
   }
   return value;

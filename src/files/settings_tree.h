@@ -66,7 +66,7 @@ class SettingsTree {
     const auto found = values_.find(name);
     if (found != values_.end()) {
       if (!readScalar(found->second, value)) {
-        problems_.add(name + " must be " + typeName(value));
+        problems_.add(name + " must be " + typeName(value) + "; it is " + foundText(found->second));
       }
       values_.erase(found);
     }

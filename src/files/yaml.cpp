@@ -38,6 +38,13 @@ const char* typeName(double /*value*/) { return "a number"; }
 const char* typeName(std::int64_t /*value*/) { return "a whole number"; }
 const char* typeName(const std::string& /*value*/) { return "a text"; }
 
+std::string foundText(const YAML::Node& node) {
+  if (node.IsScalar()) {
+    return "'" + node.Scalar() + "'";
+  }
+  return node.IsSequence() ? "a list" : node.IsMap() ? "a group" : "empty";
+}
+
 YAML::Node loadYaml(const std::string& file) {
   try {
     return YAML::Load(readFile(file));

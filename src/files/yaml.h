@@ -22,6 +22,9 @@ const char* typeName(double value);
 const char* typeName(std::int64_t value);
 const char* typeName(const std::string& value);
 
+/// What stands where a value of another type is expected, as errors name it: "'fast'", "a list".
+std::string foundText(const YAML::Node& node);
+
 /// The content of a YAML file.
 /// @throw InputError naming the file, and the line of an error in it.
 YAML::Node loadYaml(const std::string& file);

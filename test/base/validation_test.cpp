@@ -20,6 +20,7 @@ TEST(Problems, AreNoneWhileEveryRuleHolds) {
   problems.atLeast("count", 1, 1);
   problems.probability("prior", 0.5);
   problems.frame("map_frame", "map");
+  problems.oneOf("mode", "scan", {"link", "cache", "scan"});
   problems.require(true, "window", 4, "odd");
   EXPECT_EQ(problems.list(), Texts());
   EXPECT_NO_THROW(problems.throwIfAny());
@@ -34,6 +35,8 @@ TEST(Problems, NameTheSettingTheRuleAndTheValue) {
   problems.atLeast("count", 0, 1);
   problems.probability("prior", 1.0);
   problems.frame("map_frame", "/map");
+  problems.oneOf("mode", "loud", {"link", "cache", "scan"});
+  problems.oneOf("filter", "", {"median", "mean"});
   problems.require(false, "window", 4, "odd");
   EXPECT_EQ(problems.list(),
             (Texts{"speed must lie in 1..2 m/s; it is 2.5", "area must lie in 1..2; it is 0.5",
@@ -42,7 +45,8 @@ TEST(Problems, NameTheSettingTheRuleAndTheValue) {
                    "count must be at least 1; it is 0",
                    "prior must be between 0 and 1, both excluded; it is 1",
                    "map_frame must be a frame's name without a leading slash; it is '/map'",
-                   "window must be odd; it is 4"}));
+                   "mode must be link, cache or scan; it is 'loud'",
+                   "filter must be median or mean; it is ''", "window must be odd; it is 4"}));
 }
 
 TEST(Problems, RefuseNotANumberAndInfinity) {

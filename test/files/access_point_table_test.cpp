@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
+#include <string>
+#include <utility>
+
 #include "structure_from_wifi/access_points_io.h"
 #include "structure_from_wifi/input_error.h"
 
@@ -97,7 +100,7 @@ TEST(AccessPointTable, RefusesAStandardDeviationThatMeansNothing) {
   EXPECT_EQ(complaint("x: 1, y: 2, position_sd: 0"), small);
   EXPECT_EQ(complaint("x: 1, y: 2, position_sd: -3"), small);
   EXPECT_EQ(complaint("x: 1, y: 2, position_sd: wide"),
-            "access_points[0]: 'position_sd' must be a number from -1e6 to 1e6");
+            "access_points[0]: 'position_sd' must be a number from -1e6 to 1e6; it is 'wide'");
   EXPECT_EQ(complaint("position_sd: 2"),
             "access_points[0]: 'position_sd' needs x and y, whose standard deviation it is");
 }
@@ -112,20 +115,25 @@ TEST(AccessPointTable, ReadsBssidsWithoutQuotes) {
 TEST(AccessPointTable, TellsOfDecimalCommas) {
   EXPECT_EQ(complaintOf("[{bssid: '02:00:00:00:00:01', x: 2,6, y: 1}]"),
             "access_points[0]: '6' follows a comma within a number; write a decimal point");
-  EXPECT_EQ(complaintOf("- bssid: '02:00:00:00:00:01'\n  x: 2,6\n  y: 1\n"),
-            "access_points[0]: 'x' must be a number from -1e8 to 1e8, with a decimal point");
+  EXPECT_EQ(
+      complaintOf("- bssid: '02:00:00:00:00:01'\n  x: 2,6\n  y: 1\n"),
+      "access_points[0]: 'x' must be a number from -1e8 to 1e8, with a decimal point; it is '2,6'");
 }
 
 TEST(AccessPointTable, AsksForFiniteNumbers) {
-  for (const std::string bad :
-       {".nan", ".inf", "nan", "inf", "-inf", "far", "[1]", "{}", "", "200000000", "1.0 m"}) {
+  using Given = std::pair<std::string, std::string>;  // in the file, in the complaint
+  for (const auto& [bad, told] :
+       {Given(".nan", "'.nan'"), Given(".inf", "'.inf'"), Given("nan", "'nan'"),
+        Given("inf", "'inf'"), Given("-inf", "'-inf'"), Given("far", "'far'"),
+        Given("[1]", "a list"), Given("{}", "a group"), Given("", "empty"),
+        Given("200000000", "'200000000'"), Given("1.0 m", "'1.0 m'")}) {
     for (const std::string key : {"x", "z", "tx_dbm"}) {
       const std::string position = key == "x" ? "y: 1" : "x: 1, y: 1";
       const std::string complaint =
           complaintOf("[{bssid: '02:00:00:00:00:01', " + position + ", " + key + ": " + bad + "}]");
       const std::string limit = key == "x" ? "1e8" : "1e6";
-      EXPECT_EQ(complaint,
-                "access_points[0]: '" + key + "' must be a number from -" + limit + " to " + limit)
+      EXPECT_EQ(complaint, "access_points[0]: '" + key + "' must be a number from -" + limit +
+                               " to " + limit + "; it is " + told)
           << bad;
     }
   }
@@ -157,7 +165,7 @@ TEST(AccessPointTable, NamesAllFaultsAtOnce) {
             "access_points[0]: 'bssid' must look like '02:00:00:00:00:01'; it is 'a'\n"
             "access_points[0]: 'y' is missing\n"
             "access_points[1]: 'bssid' must look like '02:00:00:00:00:01'; it is 'b'\n"
-            "access_points[1]: 'y' must be a number from -1e8 to 1e8");
+            "access_points[1]: 'y' must be a number from -1e8 to 1e8; it is 'nowhere'");
 }
 
 TEST(AccessPointTable, NamesItsFile) {

@@ -162,17 +162,17 @@ TEST(ConfigReader, NamesEveryWrongTypeAndEveryBrokenRuleAtOnce) {
         "map: {resolution: fine, max_cells: 2.5, margin: -1}\n"
         "k_visibility: {filter: [median], window: .nan}");
   });
-  EXPECT_TRUE(contains(complaint, "map/resolution must be a number"));
-  EXPECT_TRUE(contains(complaint, "map/max_cells must be a whole number"));
+  EXPECT_TRUE(contains(complaint, "map/resolution must be a number; it is 'fine'"));
+  EXPECT_TRUE(contains(complaint, "map/max_cells must be a whole number; it is '2.5'"));
   EXPECT_TRUE(contains(complaint, "map/margin must be finite and positive; it is -1"));
-  EXPECT_TRUE(contains(complaint, "k_visibility/filter must be a text"));
+  EXPECT_TRUE(contains(complaint, "k_visibility/filter must be a text; it is a list"));
   EXPECT_TRUE(contains(complaint, "k_visibility/window must be a whole number"));
   EXPECT_EQ(lines(complaint), 5U) << complaint;
 }
 
 TEST(ConfigFromYaml, NamesAnOldNameWhoseValueHasTheWrongType) {
   EXPECT_EQ(complaintOf([] { fromText("rssi: {window: wide}"); }),
-            "rssi/window must be a whole number");
+            "rssi/window must be a whole number; it is 'wide'");
 }
 
 TEST(ConfigReader, RefusesAGroupInPlaceOfAValueAndTheReverse) {
@@ -181,7 +181,7 @@ TEST(ConfigReader, RefusesAGroupInPlaceOfAValueAndTheReverse) {
   EXPECT_EQ(fromText("map: 3").warnings,
             std::vector<std::string>{"map is a group of settings and has no value"});
   EXPECT_TRUE(contains(complaintOf([] { fromText("map: {resolution: {metres: 0.1}}"); }),
-                       "map/resolution must be a number"));
+                       "map/resolution must be a number; it is a group"));
 }
 
 TEST(ConfigReader, RefusesKeysThatAreNoText) {

@@ -214,7 +214,7 @@ class Exploration(unittest.TestCase):
             node = session.start("node", sys.argv[1], "_driver:=legs", "_speed:=0", "_view:=many")
             self.assertNotEqual(node.wait(30), 0)
             text = session.text_of(node)
-        for problem in ("driver must be bumpers or move_base; it is legs", "speed must lie in",
+        for problem in ("driver must be bumpers or move_base; it is 'legs'", "speed must lie in",
                         "view must be a number"):
             self.assertIn(problem, text)
 

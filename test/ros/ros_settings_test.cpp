@@ -165,7 +165,7 @@ TEST(MappingSettings, AnErrorNamesTheProblemsOfBothGroups) {
   } catch (const InputError& error) {
     EXPECT_EQ(std::string(error.what()),
               "map/margin must be finite and positive; it is -1\n"
-              "ros/publish_rate must be a number");
+              "ros/publish_rate must be a number; it is empty");
   }
 }
 

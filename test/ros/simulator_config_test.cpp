@@ -108,12 +108,12 @@ TEST(SimulatorConfig, NamesEveryProblemAtOnce) {
   tree["access_points"][0]["x"] = "left";
   EXPECT_EQ(problemsOf(tree),
             "noise: 'loud' is no noise level; the levels are none, low, moderate, realistic, hard\n"
-            "speed must be a number\n"
-            "access_points[0]: 'x' must be a number from -1e8 to 1e8\n"
+            "speed must be a number; it is 'fast'\n"
+            "access_points[0]: 'x' must be a number from -1e8 to 1e8; it is 'left'\n"
             "plan and generate exclude each other: leave one of them empty\n"
-            "generate must be flat or office\n"
+            "generate must be flat or office; it is 'castle'\n"
             "route must be walls, sparse or a CSV file with the columns x, y\n"
-            "drive must be route or cmd_vel\n"
+            "drive must be route or cmd_vel; it is 'joystick'\n"
             "robot_radius must lie in 0.01..10; it is 0\n"
             "tf_rate must lie in 1..1000; it is 0\n"
             "scan_rate must not exceed tf_rate: each scan is stamped with a transform's time\n"
@@ -137,7 +137,8 @@ TEST(SimulatorConfig, RefusesNotANumber) {
   YAML::Node tree = complete();
   tree["speed"] = ".nan";
   tree["seed"] = 1.5;
-  EXPECT_EQ(problemsOf(tree), "speed must be a number\nseed must be a whole number");
+  EXPECT_EQ(problemsOf(tree),
+            "speed must be a number; it is '.nan'\nseed must be a whole number; it is '1.5'");
 }
 
 TEST(SimulatorConfig, FindsMisspeltSettings) {

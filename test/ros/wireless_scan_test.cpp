@@ -3,6 +3,7 @@
 #include <nodelet/loader.h>
 #include <ros/master.h>
 #include <ros/ros.h>
+#include <rosgraph_msgs/Log.h>
 
 #include <algorithm>
 #include <functional>
@@ -90,8 +91,15 @@ TEST_F(LoadedNodelet, LoadsAndUnloadsAgainAndAgain) {
 }
 
 TEST_F(LoadedNodelet, AdvertisesNothingWithParametersThatCannotBeUsed) {
+  std::string log;
+  ros::NodeHandle handle;
+  const auto subscriber = handle.subscribe<rosgraph_msgs::Log>(
+      "/rosout", 100, [&](const rosgraph_msgs::LogConstPtr& line) { log += line->msg + "\n"; });
+  ASSERT_TRUE(spinUntil([&] { return subscriber.getNumPublishers() > 0; }));
   EXPECT_TRUE(load("loud", 20.0));
   EXPECT_FALSE(advertised());
+  const std::string problem = "mode must be link, cache or scan; it is 'loud'";
+  EXPECT_TRUE(spinUntil([&] { return log.find(problem) != std::string::npos; })) << log;
   EXPECT_TRUE(loader_.unload("/radio"));
   EXPECT_TRUE(load("link", 1000.0));
   EXPECT_FALSE(advertised());

@@ -98,8 +98,7 @@ std::vector<std::string> validate(const RosSettings& settings) {
   problems.require(!settings.save_directory.empty(), "ros/save_directory",
                    "'" + settings.save_directory + "'", "a directory");
   problems.notNegative("ros/autosave_period", settings.autosave_period_s);
-  problems.require(settings.on_time_jump == "keep" || settings.on_time_jump == "reset",
-                   "ros/on_time_jump", "'" + settings.on_time_jump + "'", "'keep' or 'reset'");
+  problems.oneOf("ros/on_time_jump", settings.on_time_jump, {"keep", "reset"});
   problems.positive("ros/max_tilt", settings.max_tilt_rad);
   problems.notNegative("ros/max_speed", settings.max_speed_m_s);
   constexpr double kFastestHz = 100.0;  // faster than any scanner

@@ -21,8 +21,7 @@ ExplorationSettings explorationSettingsFromYaml(const YAML::Node& node) {
   tree.read("way_budget", settings.limits.way_m);
   tree.read("return_home", settings.limits.return_home);
   Problems& problems = tree.problems();
-  problems.require(settings.driver == "bumpers" || settings.driver == "move_base", "driver",
-                   settings.driver, "bumpers or move_base");
+  problems.oneOf("driver", settings.driver, {"bumpers", "move_base"});
   problems.frame("map_frame", settings.map_frame);
   problems.frame("base_frame", settings.base_frame);
   problems.add(validate(settings.robot));

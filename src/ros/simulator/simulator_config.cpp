@@ -19,8 +19,8 @@ void checkBuilding(const SimulatorConfig& config, Problems& problems) {
         "plan must name a file (map_server YAML, HouseExpo JSON or PNG), or else generate must be "
         "flat or office");
   }
-  if (!building.generate.empty() && building.generate != "flat" && building.generate != "office") {
-    problems.add("generate must be flat or office");
+  if (!building.generate.empty()) {
+    problems.oneOf("generate", building.generate, {"flat", "office"});
   }
   problems.within("resolution", building.options.resolution_m, 0.01, 0.1);
   problems.within("metres_per_pixel", building.options.metres_per_pixel, 0.0, 10.0);
@@ -32,11 +32,8 @@ void checkDrive(const SimulatorConfig& config, Problems& problems) {
   if (config.route.empty()) {
     problems.add("route must be walls, sparse or a CSV file with the columns x, y");
   }
-  if (config.drive != "route" && config.drive != "cmd_vel") {
-    problems.add("drive must be route or cmd_vel");
-  }
-  problems.require(config.bumper == "contact" || config.bumper == "contact_points", "bumper",
-                   config.bumper, "contact or contact_points");
+  problems.oneOf("drive", config.drive, {"route", "cmd_vel"});
+  problems.oneOf("bumper", config.bumper, {"contact", "contact_points"});
   const SimulatedRobot::Config& robot = config.robot;
   problems.within("speed", robot.max_speed_m_s, 0.01, 10.0);
   problems.within("yaw_rate", robot.max_yaw_rate_rad_s, 0.01, 100.0);

@@ -11,9 +11,7 @@ WirelessSettings wirelessSettingsFromYaml(const YAML::Node& node) {
   tree.read("interface", settings.interface);
   tree.read("rate", settings.rate_hz);
   tree.read("frame_id", settings.frame_id);
-  if (settings.mode != "link" && settings.mode != "cache" && settings.mode != "scan") {
-    tree.problems().add("mode must be link, cache or scan");
-  }
+  tree.problems().oneOf("mode", settings.mode, {"link", "cache", "scan"});
   tree.problems().within("rate", settings.rate_hz, 0.01, 20.0, "Hz");
   tree.problems().throwIfAny();
   settings.warnings = tree.warnings();
