@@ -11,6 +11,7 @@
 
 #include "cli/commands.h"
 #include "cli/recording_options.h"
+#include "cli/rejections.h"
 #include "cli/warnings.h"
 #include "files/atomic_file.h"
 #include "output/moved.h"
@@ -91,8 +92,11 @@ std::string tableOf(const Snapshot& snapshot, const std::string& source) {
 void run(const RecordingOptions& options, const std::string& output) {
   const LoadedRecording recording = loadRecording(options);
   const Snapshot snapshot = moved(*recording.mapper.infer(), recording.offset);
+  reportRejections(recording.source, snapshot.rejections, snapshot.recording,
+                   !snapshot.access_points.empty());
   for (const MapNote& note : mapNotes(snapshot)) {
-    if (note.kind == MapNote::Kind::kAccessPoint || note.kind == MapNote::Kind::kSignals) {
+    if (note.kind == MapNote::Kind::kAccessPoint || note.kind == MapNote::Kind::kSignals ||
+        note.kind == MapNote::Kind::kUnits) {
       warn(recording.source + ": " + note.text);
     }
   }

@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/far_positions.h"
 #include "cli/recording_options.h"
+#include "cli/rejections.h"
 #include "files/text.h"
 #include "localization/loop_closure.h"
 #include "structure_from_wifi/input_error.h"
@@ -119,6 +120,8 @@ void runCloseLoops(Options& options) {
   }
   recording_options.check();
   LoadedRecording recording = loadRecording(recording_options);
+  reportRejections(recording.source, recording.mapper.rejections(), {},
+                   !recording.mapper.readings().empty());
   if (recording.mapper.readings().empty()) {
     throw InputError(recording.source +
                      ": no reading can be used; the warnings above give the reasons");

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
-#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -100,31 +99,6 @@ void insertReadings(const ReadingFile& file, Mapper& mapper) {
   }
 }
 
-/// Names the BSSIDs with the most readings; report.json has all of them.
-std::string mostHeard(const std::map<Bssid, std::size_t>& readings) {
-  constexpr std::size_t kMostNamed = 3;
-  std::vector<std::pair<Bssid, std::size_t>> by_count(readings.begin(), readings.end());
-  std::stable_sort(by_count.begin(), by_count.end(),
-                   [](const auto& a, const auto& b) { return a.second > b.second; });
-  std::string text =
-      std::to_string(readings.size()) + (readings.size() == 1 ? " BSSID" : " BSSIDs");
-  for (std::size_t i = 0; i < std::min(kMostNamed, by_count.size()); ++i) {
-    text += (i == 0 ? ": " : ", ") + by_count[i].first.str() + " " +
-            std::to_string(by_count[i].second) + " times";
-  }
-  return text + (by_count.size() > kMostNamed ? ", ..." : "");
-}
-
-void reportRejections(const std::string& source, const Rejections& rejections) {
-  for (const auto& [insertion, count] : rejections.count) {
-    const std::string which = insertion == InsertResult::kUnknownAccessPoint
-                                  ? " (" + mostHeard(rejections.unknown_access_points) + ")"
-                                  : "";
-    warn(source + ": " + std::to_string(count) + " readings left out: " + toString(insertion) +
-         which);
-  }
-}
-
 }  // namespace
 
 void RecordingOptions::declare(Options& options) {
@@ -193,7 +167,6 @@ LoadedRecording loadRecording(const RecordingOptions& options) {
                         pose.robot);
     }
   }
-  reportRejections(source, mapper.rejections());
   return recording;
 }
 

@@ -37,7 +37,8 @@ struct LoadedRecording {
   Position offset;
 };
 
-/// Reads a recording and inserts it into a mapper. Prints warnings on what is left out.
+/// Reads a recording and inserts it into a mapper. Prints warnings on what cannot be inserted; the
+/// caller tells what the mapper refused (reportRejections).
 /// @throw InputError that names the file or the setting that cannot be used
 LoadedRecording loadRecording(const RecordingOptions& options);
 

@@ -216,9 +216,31 @@ class GoodInput(CommandLine):
         more = ["1.0,2,2,%s,70" % NEAR, "1.0,2,2,%s,-50" % STRANGER, "1.2,2,2,%s,-51" % STRANGER]
         text = "\n".join([HEADER] + rows() + more)
         run = self.good(self.map(readings=self.write("more.csv", text)))
-        self.assertIn("1 readings left out: rssi_dbm is not in (-120, 0]", run.stderr)
+        self.assertIn("1 reading left out: rssi_dbm is not in (-120, 0]", run.stderr)
         self.assertIn("percent", run.stderr)
         self.assertIn("(1 BSSID: %s 2 times)" % STRANGER, run.stderr)
+
+    def warnings(self, table, **options):
+        run = self.map(readings=self.write("some.csv", "\n".join([HEADER] + table)), **options)
+        return run, [line for line in run.stderr.splitlines() if "warning: " in line]
+
+    def test_neighbours_are_no_warning(self):
+        run, warnings = self.warnings(rows() + rows([STRANGER]))
+        self.good(run)
+        self.assertEqual(warnings, [])
+        self.assertIn("left out: bssid is not in the table of access points", run.stderr)
+
+    def test_a_fault_is_told_once(self):
+        heard = [row.split(",") for row in rows()]
+        percent = [",".join((*row[:4], str(60 + i % 30))) for i, row in enumerate(heard)]
+        half = [row if FAR in row else ",".join(heard[i]) for i, row in enumerate(percent)]
+        far = [",".join((row[0], str(100 * float(row[1])), str(100 * float(row[2])), *row[3:]))
+               for row in heard]
+        for table, words in ((half, "look like percent"), (percent, "look like percent"),
+                             (far, "look like centimetres"), (rows([STRANGER]), STRANGER)):
+            run, warnings = self.warnings(table)
+            self.assertEqual(len(warnings), 1, run.stderr)
+            self.assertIn(words, warnings[0])
 
     def test_other_units_of_positions_are_scaled(self):
         self.good(self.map())

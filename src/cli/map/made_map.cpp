@@ -9,6 +9,7 @@
 #include <sstream>
 #include <utility>
 
+#include "cli/rejections.h"
 #include "cli/warnings.h"
 #include "output/moved.h"
 #include "structure_from_wifi/data_checks.h"
@@ -50,11 +51,16 @@ void makeMap(const RecordingOptions& options, const std::string& directory) {
   const DataFindings findings = moved(DataChecker().checkAll(*made), recording.offset);
   const Snapshot snapshot = moved(*std::exchange(made, nullptr), recording.offset);
   const auto& found = snapshot.access_points;
+  const bool any_used =
+      std::any_of(found.begin(), found.end(), [](const auto& ap) { return ap.readings > 0; });
+  reportRejections(recording.source, snapshot.rejections, snapshot.recording, any_used);
   reportEstimates(recording.table, found);
   for (const MapNote& note : mapNotes(snapshot, findings)) {
-    warn(recording.source + ": " + note.text);
+    if (any_used || isFault(note)) {  // the others are about a map that is not made
+      warn(recording.source + ": " + note.text);
+    }
   }
-  if (std::all_of(found.begin(), found.end(), [](const auto& ap) { return ap.readings == 0; })) {
+  if (!any_used) {
     throw InputError(recording.source + ": no reading " +
                      (recording.has_table ? "of an access point in " + recording.table + " " : "") +
                      "can be used; the warnings above give the reasons");
