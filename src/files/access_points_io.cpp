@@ -76,8 +76,8 @@ Bssid readBssid(const YAML::Node& entry, const std::string& where,
   if (!bssid) {
     // rosparam reads YAML 1.1, in which 52:54:00:12:34:56 is a number of base 60.
     const char* const advice = parseNumber(text) ? ": YAML reads it as a number, so quote it" : "";
-    problems.push_back(where + ": 'bssid' must look like '02:00:00:00:00:01'; it is '" + text +
-                       "'" + advice);
+    problems.push_back(where + ": 'bssid' must look like '02:00:00:00:00:01'; it is " +
+                       inQuotes(text) + advice);
   }
   return bssid.value_or(Bssid());
 }

@@ -34,7 +34,7 @@ RowFault withUnit(RowFault fault, const std::string& stamp) {
 
 RowFault faultOf(const CsvTable& table, std::size_t column, const std::string& what) {
   const std::string& name = table.name(column);
-  return {name + what, name + " '" + std::string(table.field(column)) + "'"};
+  return {name + what, name + " " + inQuotes(table.field(column))};
 }
 
 std::optional<RowFault> readNumber(const CsvTable& table, std::size_t column, double low,

@@ -106,10 +106,9 @@ void CsvTable::findColumns(const std::vector<CsvColumn>& columns) {
 
 void CsvTable::refuseHeader(const CsvColumn& missing) const {
   constexpr std::size_t kMostListed = 20;
-  constexpr std::size_t kLongest = 40;
   std::string list;
   for (std::size_t i = 0; i < std::min(fields_.size(), kMostListed); ++i) {
-    list += (i == 0 ? "'" : ", '") + std::string(fields_[i].substr(0, kLongest)) + "'";
+    list += (i == 0 ? "" : ", ") + inQuotes(fields_[i]);
   }
   list += fields_.size() > kMostListed ? ", ..." : "";
   throw InputError(file_ + ": " + line() + ": the column '" + missing.name +

@@ -127,6 +127,14 @@ std::string asUtf8(const std::string& text) {
   return Json::parse(valid).get<std::string>();
 }
 
+std::string inQuotes(std::string_view text) {
+  constexpr std::size_t kLongest = 60;
+  std::string shown(text.substr(0, kLongest));
+  std::replace_if(
+      shown.begin(), shown.end(), [](unsigned char c) { return c < ' ' || c == '\x7f'; }, '?');
+  return "'" + asUtf8(shown) + (text.size() > kLongest ? "..." : "") + "'";
+}
+
 std::string printable(const std::string& text, std::size_t longest) {
   std::string shown = text.substr(0, longest);
   std::replace_if(

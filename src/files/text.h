@@ -33,6 +33,9 @@ std::string asUtf8(const std::string& text);
 /// @param longest  [bytes]; the rest is cut
 std::string printable(const std::string& text, std::size_t longest);
 
+/// A text of a file in quotes, for people: on one line, without control characters, and not long.
+std::string inQuotes(std::string_view text);
+
 /// Puts a prefix before each line of a text.
 std::string withPrefix(const std::string& prefix, const std::string& lines);
 

@@ -40,7 +40,7 @@ const char* typeName(const std::string& /*value*/) { return "a text"; }
 
 std::string foundText(const YAML::Node& node) {
   if (node.IsScalar()) {
-    return "'" + node.Scalar() + "'";
+    return inQuotes(node.Scalar());
   }
   return node.IsSequence() ? "a list" : node.IsMap() ? "a group" : "empty";
 }

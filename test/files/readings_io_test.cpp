@@ -142,6 +142,16 @@ TEST_F(ReadingIo, CountsSkippedRowsByReasonAndShowsTheFirst) {
   EXPECT_EQ(skipped, expected);
 }
 
+TEST_F(ReadingIo, ShowsAFieldOnOneLineAndCutsIt) {
+  const std::string end = ",02:00:00:00:00:01,-40\n";
+  const auto firstOf = [&](const std::string& field) {
+    return readText(kHeader + kRow + "1,0," + field + end).skipped.begin()->second.first;
+  };
+  EXPECT_EQ(firstOf("\x1b[31mred"), "line 3: y '?[31mred'");
+  EXPECT_EQ(firstOf("\"a\nb\""), "line 3: y 'a?b'");
+  EXPECT_EQ(firstOf(std::string(1000, 'a')), "line 3: y '" + std::string(60, 'a') + "...'");
+}
+
 TEST_F(ReadingIo, SaysWhyNoRowCanBeUsed) {
   EXPECT_EQ(complaintOf(kHeader + "x,0,0,02:00:00:00:00:01,-40\n1,0,0,?,-40\n"),
             path("readings.csv") +
