@@ -77,6 +77,15 @@ TEST(Diagnostics, TellOfARadioWithoutAnAccessPointAfterTenSeconds) {
   expectStatus(described(describeInputs, status), kWarn, "20 s: the radio is not associated");
 }
 
+TEST(Diagnostics, TellAScannerThatFellSilentFromOneWithEmptyScans) {
+  MappingStatus status = hearing();
+  status.inputs[0].last_observation_s = 1010.0;
+  EXPECT_EQ(whyNoReading(status), "/wifi_scan brings no reading for 50 s: its scans are empty");
+  status.inputs[0].last_message_s = 1020.0;
+  EXPECT_EQ(whyNoReading(status),
+            "/wifi_scan brings no reading for 50 s: no message has come for 40 s");
+}
+
 TEST(Diagnostics, NameMissingFrames) {
   MappingStatus status = hearing();
   status.transform.missing_frames = {"antenna"};

@@ -106,6 +106,14 @@ TEST_F(NodeletDiagnosticsTest, NameTheTypeOfATopicThatBringsNoScans) {
   EXPECT_TRUE(hears("map", Level::WARN, "its messages are of type std_msgs/String"));
 }
 
+TEST_F(NodeletDiagnosticsTest, LogsTellClocksApartFromFrames) {
+  load();
+  sendPose(0.0, 1.0, 2.0);
+  sendScan(-500.0, {{kNear, -50.0F}});
+  EXPECT_TRUE(logs(rosgraph_msgs::Log::WARN, "compare the clocks of the machines"));
+  EXPECT_EQ(logged(rosgraph_msgs::Log::WARN, "correct ros/antenna_frame"), 0);
+}
+
 TEST_F(NodeletDiagnosticsTest, LogsTellEachCauseOnce) {
   load();
   sendPose(0.0, 1.0, 2.0);

@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "files/text.h"
 #include "ros/mapping/odometry_frame.h"
 
 namespace sfw {
@@ -60,6 +61,17 @@ double silentFor(const MappingStatus& status, const InputStatistics::Input& inpu
   return input.last_observation_s ? status.now_s - *input.last_observation_s : status.running_s;
 }
 
+/// Why a radio with messages brings no reading.
+std::string whyUseless(const MappingStatus& status, const InputStatistics::Input& input) {
+  const double since_message_s = status.now_s - input.last_message_s.value_or(0.0);
+  const std::string reason = since_message_s >= kPatience
+                                 ? "no message has come for " + seconds(since_message_s)
+                             : input.problem.empty() ? "its scans are empty"
+                                                     : input.problem;
+  return input.topic + " brings no reading for " + seconds(silentFor(status, input)) + ": " +
+         reason;
+}
+
 /// Resident memory of this process [MiB]; 0 if unknown.
 double memoryMib() {
   std::ifstream file("/proc/self/statm");
@@ -95,7 +107,7 @@ void addAccessPoints(const MappingStatus& status, DiagnosticStatusWrapper& to) {
       std::string text = std::to_string(summary.readings) + " readings";
       text += summary.radio ? ", one radio with " + summary.radio->str() : "";
       if (fit != nullptr) {
-        text += ", fit " + std::to_string(fit->residual_db) + " dB";
+        text += formatted(", fit %.1f dB", fit->residual_db);
         text += fit->suspect ? ", contradicts its position" : "";
       }
       to.add("access point " + summary.access_point.bssid.str(), text);
@@ -192,8 +204,7 @@ std::string whyNoReading(const MappingStatus& status) {
                      transform.map_frame + " at the stamps of the readings";
   }
   if (const InputStatistics::Input* radio = uselessRadio(status)) {
-    return radio->topic + " brings no reading for " + seconds(silentFor(status, *radio)) + ": " +
-           (radio->problem.empty() ? "its scans are empty" : radio->problem);
+    return whyUseless(status, *radio);
   }
   const bool silent = std::none_of(status.inputs.begin(), status.inputs.end(),
                                    [](const auto& i) { return i.is_radio && i.messages > 0; });
@@ -215,10 +226,7 @@ void describeInputs(const MappingStatus& status, DiagnosticStatusWrapper& to) {
   } else if (silent) {
     to.summary(DiagnosticStatus::WARN, "No reading arrives on " + radioTopics(status) + ".");
   } else if (useless != nullptr && silentFor(status, *useless) >= kPatience) {
-    to.summary(DiagnosticStatus::WARN,
-               useless->topic + " brings no reading for " + seconds(silentFor(status, *useless)) +
-                   ": " + (useless->problem.empty() ? "its scans are empty" : useless->problem) +
-                   ".");
+    to.summary(DiagnosticStatus::WARN, whyUseless(status, *useless) + ".");
   }
   to.add("paused", status.is_paused);
   for (const InputStatistics::Input& input : status.inputs) {

@@ -19,6 +19,14 @@ std::string pairText(const char* format, double a, double b) {
   return text;
 }
 
+/// What to do about readings without a transform. If tf has transforms of other times, the frames
+/// have the right names.
+const char* adviceOn(const std::string& tf_error) {
+  return tf_error.find("extrapolation") != std::string::npos
+             ? "compare the clocks of the machines, and look whether the localisation goes on"
+             : "start the localisation, or correct ros/antenna_frame and ros/map_frame";
+}
+
 }  // namespace
 
 void MappingNodelet::warnOfOtherMappers() {
@@ -128,10 +136,8 @@ void MappingNodelet::warnOfLosses(const ObservationQueue::Outcome& outcome) {
           expired << " readings dropped: tf had no transform from "
                   << antennaFramesText(ros_settings_) << " to " << ros_settings_.map_frame
                   << " at their stamp within ros/transform_timeout ("
-                  << ros_settings_.transform_timeout_s
-                  << " s); start the localisation, or correct ros/antenna_frame and "
-                     "ros/map_frame. tf's error: "
-                  << outcome.tf_error);
+                  << ros_settings_.transform_timeout_s << " s); " << adviceOn(outcome.tf_error)
+                  << ". tf's error: " << outcome.tf_error);
     }
   }
   if (outcome.unusable > 0) {
