@@ -12,6 +12,7 @@ sys.path.insert(0, str(ROOT / "test" / "support"))
 
 import junit  # noqa: E402
 import rosbag  # noqa: E402
+import rospy  # noqa: E402
 from tf2_msgs.msg import TFMessage  # noqa: E402
 from wireless_msgs.msg import Connection  # noqa: E402
 import recording_bag  # noqa: E402
@@ -71,6 +72,14 @@ class BagRecordings(DriveTest):
         for compression in ("bz2", "lz4"):
             self.gives_the_same(compression, self.drive.write("in_" + compression,
                                                               self.drive.messages, compression))
+
+    def test_bags_that_overlap(self):
+        """Two recorders of the same topics: each message comes twice, the second time a bit later."""
+        late = rospy.Duration(0.05)
+        again = self.drive.write("again", [(topic, message, stamp + late)
+                                           for topic, message, stamp in self.drive.messages])
+        said = self.gives_the_same("overlap", self.drive.folder / "recording.bag", again)
+        self.assertEqual(len(said.splitlines()), 1, said)
 
     def test_a_bag_that_was_not_closed(self):
         whole = (self.drive.folder / "recording.bag").read_bytes()

@@ -21,8 +21,10 @@ bool takeTransform(const geometry_msgs::TransformStamped& transform, const std::
   if (isInfinite(transform.transform)) {
     return false;
   }
-  watch.observe(transform, publisher);
-  transforms.setTransform(transform, publisher, is_static);  // tells itself what it refuses
+  // tf2 ignores a transform whose stamp it has, and prints two lines for each one.
+  if (watch.observe(transform, publisher) || is_static) {
+    transforms.setTransform(transform, publisher, is_static);  // tells itself what it refuses
+  }
   return true;
 }
 
@@ -51,6 +53,7 @@ void TransformIntake::take(const ros::MessageEvent<tf2_msgs::TFMessage const>& e
   const ros::Time now = ros::Time::now();
   if (now < last_now_) {
     transforms_.clear();
+    watch_.clear();
   }
   last_now_ = now;
   for (const geometry_msgs::TransformStamped& transform : event.getConstMessage()->transforms) {

@@ -20,7 +20,7 @@ namespace sfw {
 ///
 /// One that is not finite is left out. tf2 0.7 refuses those that are no number but takes infinite
 /// ones, and then no pose between their neighbours is finite
-/// (findings/tf2_takes_infinite_transforms.sh).
+/// (findings/tf2_takes_infinite_transforms.sh). One that repeats an earlier one is no fault.
 /// @param publisher  the name of its node, if it is known
 /// @return false if it was left out
 bool takeTransform(const geometry_msgs::TransformStamped& transform, const std::string& publisher,

@@ -1,5 +1,6 @@
 #include "ros/mapping/transform_watch.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/constants.h"
@@ -14,7 +15,7 @@ bool TransformWatch::Place::isFar(const Place& other) const {
          std::abs(std::remainder(yaw_rad - other.yaw_rad, 2.0 * kPi)) > kTurn;
 }
 
-void TransformWatch::observe(const geometry_msgs::TransformStamped& transform,
+bool TransformWatch::observe(const geometry_msgs::TransformStamped& transform,
                              const std::string& publisher) {
   constexpr std::size_t kMostFrames = 10000;
   constexpr std::size_t kMostPublishers = 10;
@@ -25,9 +26,18 @@ void TransformWatch::observe(const geometry_msgs::TransformStamped& transform,
   const std::string frame = withoutSlash(transform.child_frame_id);
   const std::lock_guard<std::mutex> lock(mutex_);
   if (links_.size() >= kMostFrames && links_.count(frame) == 0) {
-    return;
+    return true;
   }
   Link& link = links_[frame];
+  const ros::Time stamp = transform.header.stamp;
+  const auto* const end = link.recent.begin() + std::min(link.messages, link.recent.size());
+  const auto* const known =
+      std::find_if(link.recent.cbegin(), end, [&](const auto& one) { return one.first == stamp; });
+  if (known != end && !place.isFar(known->second)) {
+    return false;  // the same message again, perhaps late: it is no second publisher
+  }
+  const bool is_new = known == end;
+  link.recent[link.messages % link.recent.size()] = {stamp, place};
   if (link.messages++ > 0 && place.isFar(link.last)) {
     link.flips += link.before_jump && !place.isFar(*link.before_jump) ? 1 : 0;
     link.before_jump = link.last;
@@ -36,6 +46,7 @@ void TransformWatch::observe(const geometry_msgs::TransformStamped& transform,
   if (!publisher.empty() && link.publishers.size() < kMostPublishers) {
     link.publishers.insert(publisher);
   }
+  return is_new;
 }
 
 void TransformWatch::clear() {

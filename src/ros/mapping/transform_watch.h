@@ -2,12 +2,14 @@
 
 #include <geometry_msgs/TransformStamped.h>
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <mutex>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "structure_from_wifi/recording_findings.h"
 #include "structure_from_wifi/types.h"
@@ -21,7 +23,8 @@ class TransformWatch {
  public:
   /// Examines a transform, in the order of arrival.
   /// @param publisher  the name of its node, if it is known
-  void observe(const geometry_msgs::TransformStamped& transform, const std::string& publisher);
+  /// @return whether it is new; false if one of the last transforms of its frame has its stamp
+  bool observe(const geometry_msgs::TransformStamped& transform, const std::string& publisher);
 
   /// Forgets all transforms.
   void clear();
@@ -47,6 +50,7 @@ class TransformWatch {
     std::size_t messages = 0;
     std::size_t flips = 0;  // jumps that lead back to where the jump before began
     std::set<std::string> publishers;
+    std::array<std::pair<ros::Time, Place>, 32> recent;  // the last messages, by number
   };
 
   static bool hasTwoPublishers(const Link& link);
