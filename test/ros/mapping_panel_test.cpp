@@ -4,6 +4,7 @@
 #include <ros/ros.h>
 
 #include <QApplication>
+#include <QImage>
 #include <QLabel>
 #include <QPushButton>
 #include <filesystem>
@@ -42,6 +43,27 @@ class MappingPanelTest : public testing::Test {
     button(name).click();
   }
 
+  /// Saves a picture of the panel for people, beside the result of the test.
+  /// @return the share of its pixels that differ from its background
+  double takeScreenshot() {
+    panel_.show();
+    panel_.resize(320, 420);  // as a dock of rviz
+    QApplication::processEvents();
+    const QImage image = panel_.grab().toImage();
+    const std::string result = testing::GTEST_FLAG(output);  // xml:FILE.xml
+    if (result.rfind("xml:", 0) == 0) {
+      const std::filesystem::path file = std::filesystem::path(result.substr(4));
+      image.save((file.parent_path() / "mapping_panel.png").c_str());
+    }
+    std::size_t drawn = 0;
+    for (int y = 0; y < image.height(); ++y) {
+      for (int x = 0; x < image.width(); ++x) {
+        drawn += image.pixel(x, y) != image.pixel(0, 0) ? 1 : 0;
+      }
+    }
+    return static_cast<double>(drawn) / (image.width() * image.height());
+  }
+
   MappingPanel panel_;
 };
 
@@ -54,6 +76,11 @@ TEST_F(MappingPanelTest, ServesAUserFromTheFirstReadingToTheSavedMap) {
   ASSERT_TRUE(LaunchWorld::drive());
   EXPECT_TRUE(shows("Figures", "<b>2</b>")) << text("Figures");  // access points
   EXPECT_TRUE(shows("Figures", "m2")) << text("Figures");        // free area
+  EXPECT_GT(takeScreenshot(), 0.02);
+  for (const char* name : {"Reports", "Figures", "Message"}) {
+    const auto* label = panel_.findChild<QLabel*>(name);
+    EXPECT_GE(label->height(), label->heightForWidth(label->width())) << name << " is cut";
+  }
 
   press("Save");
   EXPECT_TRUE(shows("Message", "Saved: ")) << text("Message");

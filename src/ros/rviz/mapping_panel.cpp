@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <chrono>
@@ -58,6 +59,19 @@ QLabel* addLabel(QVBoxLayout* layout, const char* name) {
   return label;
 }
 
+/// A place for texts that scrolls in a low dock, where a layout alone would cut them.
+QVBoxLayout* addScrolledTexts(QVBoxLayout* layout) {
+  auto* area = new QScrollArea;
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  layout->addWidget(area, 1);
+  auto* content = new QWidget;
+  area->setWidget(content);
+  auto* texts = new QVBoxLayout(content);
+  texts->setContentsMargins(0, 0, 0, 0);
+  return texts;
+}
+
 QPushButton* addButton(QHBoxLayout* layout, const char* text, const char* tip) {
   auto* button = new QPushButton(text);
   button->setObjectName(text);
@@ -76,8 +90,10 @@ MappingPanel::MappingPanel(QWidget* parent) : rviz::Panel(parent) {
   nodes_->setObjectName("Node");
   top->addWidget(nodes_, 1);
   layout->addLayout(top);
-  reports_ = addLabel(layout, "Reports");
-  figures_ = addLabel(layout, "Figures");
+  QVBoxLayout* texts = addScrolledTexts(layout);
+  reports_ = addLabel(texts, "Reports");
+  figures_ = addLabel(texts, "Figures");
+  texts->addStretch();
   auto* saving = new QHBoxLayout;
   directory_ = new QLineEdit("map");
   directory_->setObjectName("Directory");
@@ -91,7 +107,6 @@ MappingPanel::MappingPanel(QWidget* parent) : rviz::Panel(parent) {
   reset_ = addButton(buttons, "Reset", "Forget all readings, and begin a new map");
   layout->addLayout(buttons);
   message_ = addLabel(layout, "Message");
-  layout->addStretch();
 
   connect(save_, &QPushButton::clicked, this, [this] {
     structure_from_wifi::SaveMap request;
