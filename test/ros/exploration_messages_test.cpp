@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ros/consumer_checks.h"
 #include "ros/exploration/exploration_settings.h"
 
 namespace sfw {
@@ -86,9 +87,12 @@ TEST(ExplorationMessages, DrawGoalsAndTheWay) {
   goal.way = {{0.0, 0.0}, {1.0, 0.0}};
   goal.position = {1.0, 0.0};
   goal.rate_m2_s = 0.2;
-  const auto array = toMarkers({goal, goal}, goal, std_msgs::Header());
+  std_msgs::Header header;
+  header.frame_id = "map";
+  const auto array = toMarkers({goal, goal}, goal, header);
   EXPECT_EQ(array.markers.size(), 1u + 2u * 2u + 1u);  // what was there goes; balls, texts, a way
   EXPECT_EQ(array.markers.back().points.size(), 2u);
+  EXPECT_EQ(consumer::faultOfMarkers(array, "map"), "");
 }
 
 TEST(ExplorationSettings, ShippedFileHoldsTheDefaults) {
