@@ -151,16 +151,17 @@ TEST(Mapper, ReturnsNothingWhenStopped) {
 }
 
 TEST(Mapper, RecoversFromManyWrongReadings) {
-  // 4000 readings count a wall between two places; a few more than as many count none.
+  // A million readings count a wall between two places; a few more than as many count none.
+  constexpr std::int64_t kWrong = 1'000'000;
   Mapper mapper(rawConfig(), {accessPoint(1, 0.05, 1.05)});
   mapper.insert(reading(0, 1.05, 1.05, -40));
   const Position between(3.0, 1.05);
   std::int64_t stamp = 1;
-  for (; stamp <= 4000; ++stamp) {
+  for (; stamp <= kWrong; ++stamp) {
     mapper.insert(reading(stamp, 5.05, 1.05, -60));
   }
   EXPECT_NE(stateAt(*mapper.infer(), between), CellState::kFree);
-  for (; stamp <= 8100; ++stamp) {
+  for (; stamp <= 2 * kWrong + kWrong / 40; ++stamp) {
     mapper.insert(reading(stamp, 5.05, 1.05, -40));
   }
   EXPECT_EQ(stateAt(*mapper.infer(), between), CellState::kFree);
