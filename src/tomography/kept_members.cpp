@@ -97,7 +97,8 @@ std::vector<LineField> KeptMembers::refresh(const WallData& now, int members, co
                                             const std::atomic<bool>& stop) {
   const bool is_new = last_.empty() || !isSame(last_.front(), now);
   if (is_new) {
-    last_.assign(1, now);
+    std::vector<WallData> data(1, now);  // if memory runs out, nothing changes
+    last_.swap(data);
     ++version_;
   }
   members_.resize(static_cast<std::size_t>(members));
