@@ -1,5 +1,6 @@
 #include "files/image.h"
 
+#include "files/gif.h"
 #include "files/mrpt_library.h"
 #include "files/pgm.h"
 #include "files/text.h"
@@ -23,6 +24,9 @@ TranslucentImage readImage(const std::string& file) {
   const std::string bytes = readFile(file);
   if (isPng(bytes)) {
     return readPng(file, GreyOf::kMean);
+  }
+  if (isGif(bytes)) {
+    return decodeGif(bytes, file);
   }
   const std::string magic = bytes.substr(0, 2);
   if (magic == "P2" || magic == "P5") {

@@ -35,6 +35,10 @@ std::vector<std::string> seeds() {
           std::string("\0\376\315\0\376\376\0\0\315\0\376\0", 12),
       std::string(kYaml) + "P2\n3 2\n15\n0 15 7\n1 2 3\n",
       with_picture + picture(),
+      std::string(kYaml) +
+          std::string("GIF89a\1\0\1\0\x80\0\0\0\0\0\xff\xff\xff!\xf9\4\1\0\0\0\0,\0"
+                      "\0\0\0\1\0\1\0\0\2\1\104\0;",
+                      42),
   };
 }
 
