@@ -127,6 +127,9 @@ std::vector<std::uint8_t> unpacked(const std::string& packed, unsigned bits_of_n
   std::size_t bits = 0;
   unsigned bit_count = 0;
   for (const char c : packed) {
+    if (numbers.size() >= count) {
+      break;  // what follows are the end, or damage
+    }
     bits |= static_cast<std::size_t>(static_cast<unsigned char>(c)) << bit_count;
     bit_count += 8;
     while (bit_count >= width && numbers.size() < count) {

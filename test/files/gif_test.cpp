@@ -146,6 +146,12 @@ TEST(Gif, IsTransparentBesideItsPictureAndInOneColour) {
   EXPECT_EQ(decoded(gif).grey.pixels[3], 192);
 }
 
+TEST(Gif, LeavesOutNumbersBeyondThePicture) {
+  Gif gif = small();
+  gif.numbers.resize(1000, 2);
+  EXPECT_EQ(decoded(gif).grey.pixels, decoded(small()).grey.pixels);
+}
+
 TEST(Gif, RefusesWhatIsCutOrDamaged) {
   const std::string whole = small().bytes();
   for (std::size_t size = 6; size + 2 < whole.size(); ++size) {
