@@ -95,9 +95,9 @@ LineField movedBy(double turn_rad, const LineField& walls) {
 
 std::vector<LineField> KeptMembers::refresh(const WallData& now, int members, const Solve& solve,
                                             const std::atomic<bool>& stop) {
-  const bool is_new = last_.empty() || !isSame(last_.front(), now);
+  const bool is_new = !last_ || !isSame(*last_, now);
   if (is_new) {
-    std::vector<WallData> data(1, now);  // if memory runs out, nothing changes
+    std::optional<WallData> data(now);  // if memory runs out, nothing changes
     last_.swap(data);
     ++version_;
   }

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "grid/mask.h"
@@ -58,8 +59,8 @@ class KeptMembers {
   static bool isTooOld(const Member& member, const WallData& now);
 
   std::vector<Member> members_;
-  std::vector<WallData> last_;  // one, or none before the first refresh
-  std::uint64_t version_ = 0;   // of the last data: counts their changes
+  std::optional<WallData> last_;
+  std::uint64_t version_ = 0;  // of the last data: counts their changes
 };
 
 }  // namespace sfw
