@@ -57,6 +57,12 @@ class Listener:
 
     def take_map(self, grid):
         self.free_m2 = sum(value == 0 for value in grid.data) * grid.info.resolution ** 2
+        self.info = grid.info
+
+    def has_on_map(self, at):
+        low = self.info.origin.position
+        return (0.0 < at[0] - low.x < self.info.width * self.info.resolution
+                and 0.0 < at[1] - low.y < self.info.height * self.info.resolution)
 
     def take_end(self, message):
         self.finished = message.data
@@ -234,6 +240,8 @@ class Exploration(unittest.TestCase):
         self.session.start("node", sys.argv[1], "__name:=exploration")
         self.wait(lambda: move_base.goals, 90, "the first goal")
         first = move_base.goals[0]
+        # move_base makes no plan to a goal off its map, and the first map is small.
+        self.assertTrue(hear.has_on_map(first), "the goal %s is off the map" % (first,))
         # A goal that fails is not sent again.
         move_base.answer(move_base.status_type.ABORTED)
         self.wait(lambda: len(move_base.goals) > 1, 60, "a goal after one that failed")

@@ -236,6 +236,9 @@ void ExplorationNodelet::step() {
   if (new_map_) {
     if (const auto view = viewOf(map_)) {
       pilot_->setMap(*view);
+      if (move_base_) {
+        move_base_->setMap(view->states.geometry.box());
+      }
       new_map_ = false;
     }
   }

@@ -1,5 +1,6 @@
 #include "ros/exploration/move_base_driver.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sfw {
@@ -7,6 +8,29 @@ namespace {
 
 constexpr double kBackOffM = 0.15;  // [m]
 constexpr double kBackOffS = 3.0;   // at most [s]
+constexpr double kRim = 0.3;        // between goals and the rim of the map [m]
+constexpr double kShortest = 0.3;   // less of a way is not worth a goal [m]
+
+/// The way up to where it leaves the box.
+std::vector<Position> within(const Box& box, const std::vector<Position>& way) {
+  constexpr double kStep = 0.05;  // [m]
+  std::vector<Position> inside = {way.front()};
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const Position from = way[i - 1];
+    const int steps = std::max(1, static_cast<int>(std::ceil((way[i] - from).norm() / kStep)));
+    Position last = from;
+    for (int step = 1; step <= steps; ++step) {
+      const Position at = from + (way[i] - from) * (static_cast<double>(step) / steps);
+      if (!box.contains(at)) {
+        inside.push_back(last);
+        return inside;
+      }
+      last = at;
+    }
+    inside.push_back(last);
+  }
+  return inside;
+}
 
 }  // namespace
 
@@ -19,10 +43,23 @@ MoveBaseDriver::MoveBaseDriver(const ros::NodeHandle& node, const std::string& m
       handle, "move_base", kSpinThread);
 }
 
+void MoveBaseDriver::setMap(const Box& map) {
+  const Position rim(kRim, kRim);
+  bounds_ = Box(map.min() + rim, map.max() - rim);
+}
+
 void MoveBaseDriver::follow(std::vector<Position> way) {
   if (way.size() < 2) {
     state_ = State::kArrived;
     return;
+  }
+  if (!bounds_.isEmpty()) {
+    const Position whole = way.back();
+    way = within(bounds_, way);
+    if (way.back() != whole && (way.back() - way.front()).norm() < kShortest) {
+      state_ = State::kFailed;
+      return;
+    }
   }
   const Position& end = way.back();
   const Position along = end - way[way.size() - 2];

@@ -10,6 +10,7 @@
 
 #include "base/drive_command.h"
 #include "exploration/driver.h"
+#include "structure_from_wifi/types.h"
 
 namespace sfw {
 
@@ -21,6 +22,10 @@ class MoveBaseDriver : public Driver {
  public:
   /// @param node  whose callback queue must not wait for step()
   MoveBaseDriver(const ros::NodeHandle& node, const std::string& map_frame, double speed_m_s);
+
+  /// Goals stay on this part of the map frame [m]. move_base makes no plan to a goal off its map,
+  /// so a way that leaves the map is driven up to its rim. The map grows when the robot comes near.
+  void setMap(const Box& map);
 
   void follow(std::vector<Position> way) override;
   void stop() override;
@@ -37,6 +42,7 @@ class MoveBaseDriver : public Driver {
   std::unique_ptr<actionlib::SimpleActionClient<move_base_msgs::MoveBaseAction>> client_;
   std::string map_frame_;
   double speed_m_s_;
+  Box bounds_;  // empty: no map came
   State state_ = State::kIdle;
   DriveCommand command_;
   bool backing_ = false;
