@@ -4,6 +4,7 @@
 Usage: scripts_test.py RESULT.xml
 """
 
+import os
 import pathlib
 import subprocess
 import sys
@@ -23,9 +24,10 @@ GOOD_LOG = "100% tests passed, 0 tests failed out of 1\n"
 TIMEOUT_LOG = "1/1 Test #1: _ctest_package_gtest_grid_tests ...***Timeout 600.00 sec\n"
 
 
-def run(script, *arguments):
+def run(script, *arguments, environment=None):
     return subprocess.run([str(SCRIPTS / script), *map(str, arguments)], stdin=subprocess.DEVNULL,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                          env=environment)
 
 
 class Summary(unittest.TestCase):
@@ -81,6 +83,18 @@ class Check(unittest.TestCase):
         self.assertEqual(done.returncode, 1)
         self.assertIn("tidiness", done.stdout)
         self.assertIn("coverage", done.stdout)
+
+
+class WithoutMoveBase(unittest.TestCase):
+    def test_scripts_that_need_it_say_so(self):
+        # No package lies in an empty folder.
+        with tempfile.TemporaryDirectory() as folder:
+            for words in (("navigation", "cold"), ("exploration_in_ros", "move_base"),
+                          ("exploration_in_ros", "explore_lite")):
+                done = run(*words, "plan.yaml", environment=dict(os.environ, HOME=folder,
+                                                                 ROS_PACKAGE_PATH=folder))
+                self.assertEqual(done.returncode, 0, done.stdout)
+                self.assertEqual(done.stdout, "skipped: move_base is not in ROS_PACKAGE_PATH\n")
 
 
 if __name__ == "__main__":

@@ -45,6 +45,11 @@ class TrueFloor:
         return (int((place[1] - self.origin[1]) / self.cell),
                 int((place[0] - self.origin[0]) / self.cell))
 
+    def is_free(self, place):
+        y, x = self.cell_at(place)
+        height, width = self.free.shape
+        return 0 <= y < height and 0 <= x < width and bool(self.free[y, x])
+
     def random_place(self, random):
         """A place in the largest part of the floor that the robot can drive through."""
         cells = [tuple(cell) for cell in numpy.argwhere(self.open)]
