@@ -253,6 +253,11 @@ class Exploration(unittest.TestCase):
         self.wait(lambda: hear.command and hear.command.linear.x < 0.0, 30, "the way back")
         contact.publish(False)
         self.wait(lambda: len(move_base.goals) > 2, 60, "a goal after a touch")
+        # move_base that holds a goal and does not drive is wedged.
+        cancelled, goals = len(move_base.cancelled), len(move_base.goals)
+        self.wait(lambda: len(move_base.cancelled) > cancelled, 60, "the end of a wedged goal")
+        self.wait(lambda: hear.command and hear.command.linear.x < 0.0, 30, "the way back")
+        self.wait(lambda: len(move_base.goals) > goals, 60, "a goal after a wedged one")
 
 
 if __name__ == "__main__":

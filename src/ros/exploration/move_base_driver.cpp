@@ -8,6 +8,8 @@ namespace {
 
 constexpr double kBackOffM = 0.15;  // [m]
 constexpr double kBackOffS = 3.0;   // at most [s]
+constexpr double kStandsS = 15.0;   // without kMoved the robot is wedged [s]
+constexpr double kMoved = 0.1;      // [m]
 constexpr double kRim = 0.3;        // between goals and the rim of the map [m]
 constexpr double kShortest = 0.3;   // less of a way is not worth a goal [m]
 
@@ -72,6 +74,7 @@ void MoveBaseDriver::follow(std::vector<Position> way) {
   goal.target_pose.pose.orientation.z = std::sin(yaw / 2.0);
   goal.target_pose.pose.orientation.w = std::cos(yaw / 2.0);
   client_->sendGoal(goal);
+  moved_from_.reset();
   state_ = State::kDriving;
 }
 
@@ -89,19 +92,28 @@ Driver::State MoveBaseDriver::step(const RobotPose& pose, bool touching, double 
   if (state_ != State::kDriving) {
     return state_;
   }
-  if (touching && !backing_) {
+  if (!moved_from_ || (pose.position - *moved_from_).norm() > kMoved) {
+    moved_from_ = pose.position;
+    moved_at_s_ = now_s;
+  }
+  const bool wedged = !backing_ && !touching && now_s - moved_at_s_ > kStandsS;
+  if ((touching || wedged) && !backing_) {
     client_->cancelGoal();
     backing_ = true;
+    // A robot that also stands with its back to something gets away ahead.
+    ahead_ = wedged && escapes_++ % 2 == 1;
+    after_backing_ = wedged ? State::kFailed : State::kBlocked;
     backing_from_ = pose;
     backing_since_s_ = now_s;
   }
   if (backing_) {
     if ((pose.position - backing_from_.position).norm() < kBackOffM &&
         now_s - backing_since_s_ < kBackOffS) {
-      command_.speed_m_s = -0.5 * speed_m_s_;
+      command_.speed_m_s = (ahead_ ? 0.5 : -0.5) * speed_m_s_;
     } else {
       backing_ = false;
-      state_ = State::kBlocked;
+      moved_at_s_ = now_s;
+      state_ = after_backing_;
     }
   } else if (client_->getState().isDone()) {
     state_ = client_->getState() == actionlib::SimpleClientGoalState::SUCCEEDED ? State::kArrived

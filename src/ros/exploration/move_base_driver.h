@@ -5,6 +5,7 @@
 #include <ros/node_handle.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,8 @@ namespace sfw {
 /// Sends the ends of ways as goals to the action `move_base`.
 ///
 /// After a touch it cancels the goal and asks to drive backwards, because move_base finds no way
-/// out of a cell that it takes for an obstacle.
+/// out of a cell that it takes for an obstacle. It does the same when the robot stands for long, as
+/// a local planner makes it that finds itself in an obstacle; each second time it drives ahead.
 class MoveBaseDriver : public Driver {
  public:
   /// @param node  whose callback queue must not wait for step()
@@ -46,8 +48,13 @@ class MoveBaseDriver : public Driver {
   State state_ = State::kIdle;
   DriveCommand command_;
   bool backing_ = false;
+  bool ahead_ = false;
+  int escapes_ = 0;
+  State after_backing_ = State::kBlocked;
   RobotPose backing_from_;
   double backing_since_s_ = 0.0;
+  std::optional<Position> moved_from_;  // while a goal is driven to
+  double moved_at_s_ = 0.0;
 };
 
 }  // namespace sfw
