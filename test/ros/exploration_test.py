@@ -259,6 +259,18 @@ class Exploration(unittest.TestCase):
         self.wait(lambda: hear.command and hear.command.linear.x < 0.0, 30, "the way back")
         self.wait(lambda: len(move_base.goals) > goals, 60, "a goal after a wedged one")
 
+    @in_own_process
+    def test_a_robot_that_nothing_moves_is_stuck(self):
+        MoveBase(self.listener.rospy)
+        self.session.set_parameter("/exploration/driver", "move_base")
+        self.session.set_parameter("/use_sim_time", True)
+        self.session.start("demo", "roslaunch", "structure_from_wifi", "demo.launch",
+                           "rviz:=false", "drive:=cmd_vel", "time_scale:=8")
+        # Nobody hears the commands, and move_base answers nothing.
+        self.session.start("node", sys.argv[1], "__name:=exploration", "cmd_vel:=nowhere")
+        self.wait(lambda: "The robot is stuck" in self.listener.status, 150, "the stuck robot")
+        self.assertLess(self.listener.driven, 0.1)
+
 
 if __name__ == "__main__":
     junit.run()

@@ -10,6 +10,7 @@ constexpr double kBackOffM = 0.15;  // [m]
 constexpr double kBackOffS = 3.0;   // at most [s]
 constexpr double kStandsS = 15.0;   // without kMoved the robot is wedged [s]
 constexpr double kMoved = 0.1;      // [m]
+constexpr int kMostEscapes = 12;    // that move the robot less than kMoved, as with bumpers
 constexpr double kRim = 0.3;        // between goals and the rim of the map [m]
 constexpr double kShortest = 0.3;   // less of a way is not worth a goal [m]
 
@@ -87,6 +88,14 @@ void MoveBaseDriver::stop() {
   command_ = {};
 }
 
+bool MoveBaseDriver::mayEscapeFrom(const Position& wedged) {
+  if (escaped_from_ && (wedged - *escaped_from_).norm() > kMoved) {
+    escapes_ = 0;
+  }
+  escaped_from_ = wedged;
+  return ++escapes_ <= kMostEscapes;
+}
+
 Driver::State MoveBaseDriver::step(const RobotPose& pose, bool touching, double now_s) {
   command_ = {};
   if (state_ != State::kDriving) {
@@ -99,9 +108,13 @@ Driver::State MoveBaseDriver::step(const RobotPose& pose, bool touching, double 
   const bool wedged = !backing_ && !touching && now_s - moved_at_s_ > kStandsS;
   if ((touching || wedged) && !backing_) {
     client_->cancelGoal();
+    if (wedged && !mayEscapeFrom(pose.position)) {
+      state_ = State::kStuck;
+      return state_;
+    }
     backing_ = true;
     // A robot that also stands with its back to something gets away ahead.
-    ahead_ = wedged && escapes_++ % 2 == 1;
+    ahead_ = wedged && !ahead_;
     after_backing_ = wedged ? State::kFailed : State::kBlocked;
     backing_from_ = pose;
     backing_since_s_ = now_s;

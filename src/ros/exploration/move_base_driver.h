@@ -19,7 +19,8 @@ namespace sfw {
 ///
 /// After a touch it cancels the goal and asks to drive backwards, because move_base finds no way
 /// out of a cell that it takes for an obstacle. It does the same when the robot stands for long, as
-/// a local planner makes it that finds itself in an obstacle; each second time it drives ahead.
+/// a local planner makes it that finds itself in an obstacle; each second time it drives ahead. If
+/// twelve such tries in a row hardly move the robot, it is stuck.
 class MoveBaseDriver : public Driver {
  public:
   /// @param node  whose callback queue must not wait for step()
@@ -41,6 +42,9 @@ class MoveBaseDriver : public Driver {
   bool connected() const { return client_->isServerConnected(); }
 
  private:
+  /// Counts an escape from a place. @return false if too many in a row hardly moved the robot
+  bool mayEscapeFrom(const Position& wedged);
+
   std::unique_ptr<actionlib::SimpleActionClient<move_base_msgs::MoveBaseAction>> client_;
   std::string map_frame_;
   double speed_m_s_;
@@ -48,9 +52,10 @@ class MoveBaseDriver : public Driver {
   State state_ = State::kIdle;
   DriveCommand command_;
   bool backing_ = false;
-  bool ahead_ = false;
-  int escapes_ = 0;
+  bool ahead_ = true;  // at the last escape, so that the first one goes backwards
   State after_backing_ = State::kBlocked;
+  int escapes_ = 0;  // in a row that hardly moved the robot
+  std::optional<Position> escaped_from_;
   RobotPose backing_from_;
   double backing_since_s_ = 0.0;
   std::optional<Position> moved_from_;  // while a goal is driven to
