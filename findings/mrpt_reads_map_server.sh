@@ -18,39 +18,11 @@
 # Exits 0 if all is as above, 1 if MRPT behaves otherwise, 2 if it cannot be run.
 set -euo pipefail
 
-mrpt_version=1:2.5.8+ds-2
-opencv_version=4.6.0+dfsg-12  # MRPT reads images with OpenCV
+# shellcheck source=findings/mrpt.bash
+source "$(dirname "${BASH_SOURCE[0]}")/mrpt.bash"
 
-cannot_run() {
-  echo "mrpt_reads_map_server.sh: $1" >&2
-  exit 2
-}
-
-for program in apt-get dpkg g++ base64; do
-  [[ $(type -t "$program") ]] || cannot_run "$program is missing"
-done
-folder=$(mktemp -d)
-trap 'rm -r "$folder"' EXIT
-cd "$folder"
-
-# Prints the packages that an installation of MRPT would add to a machine; options are for apt-get.
-packages_to_add() {
-  apt-get install --simulate --no-install-recommends "$@" "libmrpt-maps-dev=$mrpt_version" |
-    awk '$1 == "Inst" { print $2 }'
-}
-
-# To a machine without any package, MRPT would add all of its packages.
-all=$(packages_to_add -o Dir::State::status=/dev/null 2> log) ||
-  cannot_run "the package lists of this machine have no MRPT $mrpt_version: $(tail -n 1 log)"
-missing=$(packages_to_add 2> log) || cannot_run "apt-get: $(tail -n 1 log)"
-pinned=$(sed -n -e "s/^libmrpt-.*/&=$mrpt_version/p" -e "s/^libopencv-.*/&=$opencv_version/p" <<< "$all")
-others=$(sed -e '/^libmrpt-/d' -e '/^libopencv-/d' <<< "$missing")
-# shellcheck disable=SC2086  # lists of words
-apt-get download -qq -o APT::Sandbox::User=root $pinned $others > log 2>&1 ||
-  cannot_run "a package cannot be downloaded: $(tail -n 1 log)"
-for package in *.deb; do
-  dpkg -x "$package" .
-done
+[[ $(type -t base64) ]] || cannot_run "base64 is missing"
+fetch_mrpt
 
 cat > load.cpp <<'CPP'
 #include <mrpt/maps/COccupancyGridMap2D.h>
@@ -72,21 +44,7 @@ int main(int, char** arguments) {
 }
 CPP
 
-libraries=usr/lib/$(g++ -print-multiarch)
-export LD_LIBRARY_PATH=$folder/$libraries:$folder/usr/lib:$folder/lib/${libraries##*/}
-for algebra in blas lapack; do
-  LD_LIBRARY_PATH+=:$folder/$libraries/$algebra:/$libraries/$algebra
-done
-includes=(-isystem usr/include -isystem usr/include/eigen3 -isystem /usr/include/eigen3)
-for include in usr/include/mrpt/*/include; do
-  includes+=(-isystem "$include")
-done
-g++ -std=c++17 "${includes[@]}" load.cpp -o load \
-  -Wl,--allow-shlib-undefined "$libraries"/libmrpt-*.so 2> log ||
-  cannot_run "g++: $(grep -m 1 error log)"
-lacking=$(ldd load | awk '/not found/ { print $1 }')
-[[ -z $lacking ]] || cannot_run "libraries are missing: ${lacking//$'\n'/ }"
-echo "MRPT $mrpt_version, OpenCV $opencv_version"
+build_with_mrpt load
 
 # Makes an image of grey values.
 grey_image() {
