@@ -6,10 +6,8 @@
 mrpt_version=1:2.5.8+ds-2
 opencv_version=4.6.0+dfsg-12  # MRPT reads images with OpenCV
 
-cannot_run() {
-  echo "${0##*/}: $1" >&2
-  exit 2
-}
+# shellcheck source=findings/packages.bash
+source "$(dirname "${BASH_SOURCE[0]}")/packages.bash"
 
 # Prints the packages that an installation of MRPT would add to a machine; options are for apt-get.
 packages_to_add() {
@@ -19,13 +17,8 @@ packages_to_add() {
 
 # Unpacks MRPT into a new temporary folder and goes there. The folder is removed at the end.
 fetch_mrpt() {
-  local program all missing pinned others package
-  for program in apt-get dpkg g++; do
-    [[ $(type -t "$program") ]] || cannot_run "$program is missing"
-  done
-  folder=$(mktemp -d)
-  trap 'rm -r "$folder"' EXIT
-  cd "$folder"
+  local all missing pinned others
+  enter_temporary_folder
   # To a machine without any package, MRPT would add all of its packages.
   all=$(packages_to_add -o Dir::State::status=/dev/null 2> log) ||
     cannot_run "the package lists of this machine have no MRPT $mrpt_version: $(tail -n 1 log)"
@@ -33,11 +26,7 @@ fetch_mrpt() {
   pinned=$(sed -n -e "s/^libmrpt-.*/&=$mrpt_version/p" -e "s/^libopencv-.*/&=$opencv_version/p" <<< "$all")
   others=$(sed -e '/^libmrpt-/d' -e '/^libopencv-/d' <<< "$missing")
   # shellcheck disable=SC2086  # lists of words
-  apt-get download -qq -o APT::Sandbox::User=root $pinned $others > log 2>&1 ||
-    cannot_run "a package cannot be downloaded: $(tail -n 1 log)"
-  for package in *.deb; do
-    dpkg -x "$package" .
-  done
+  unpack_packages $pinned $others
 }
 
 # Builds NAME.cpp with MRPT.

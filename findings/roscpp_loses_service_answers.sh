@@ -23,15 +23,10 @@ calls=10000    # of each client in one round
 clients=4      # at once, so that the machine is busy
 rounds=20      # at most, until an answer is lost
 
-cannot_run() {
-  echo "roscpp_loses_service_answers.sh: $1" >&2
-  exit 2
-}
+# shellcheck source=findings/packages.bash
+source "$(dirname "${BASH_SOURCE[0]}")/packages.bash"
 
-for program in apt-get dpkg g++; do
-  [[ $(type -t "$program") ]] || cannot_run "$program is missing"
-done
-folder=$(mktemp -d)
+enter_temporary_folder
 stop_all() {
   # shellcheck disable=SC2046  # a list of numbers
   kill $(jobs -p) 2> /dev/null || true
@@ -39,18 +34,13 @@ stop_all() {
   rm -r "$folder"
 }
 trap stop_all EXIT
-cd "$folder"
 
 pinned="libroscpp-dev=$roscpp_version libroscpp4d=$roscpp_version python3-rosmaster=$roscpp_version"
 # shellcheck disable=SC2086  # a list of words
 missing=$(apt-get install --simulate --no-install-recommends $pinned libstd-srvs-dev 2> log |
   awk '$1 == "Inst" { print $2 }' | grep -vxE 'libroscpp-dev|libroscpp4d|python3-rosmaster' || true)
 # shellcheck disable=SC2086  # a list of words
-apt-get download -qq -o APT::Sandbox::User=root $pinned $missing > log 2>&1 ||
-  cannot_run "a package cannot be downloaded: $(tail -n 1 log)"
-for package in *.deb; do
-  dpkg -x "$package" .
-done
+unpack_packages $pinned $missing
 
 cat > calls.cpp <<'CPP'
 #include <ros/ros.h>

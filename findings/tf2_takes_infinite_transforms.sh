@@ -17,28 +17,16 @@ set -euo pipefail
 
 tf2_version=0.7.6-1+b2
 
-cannot_run() {
-  echo "tf2_takes_infinite_transforms.sh: $1" >&2
-  exit 2
-}
+# shellcheck source=findings/packages.bash
+source "$(dirname "${BASH_SOURCE[0]}")/packages.bash"
 
-for program in apt-get dpkg g++; do
-  [[ $(type -t "$program") ]] || cannot_run "$program is missing"
-done
-folder=$(mktemp -d)
-trap 'rm -r "$folder"' EXIT
-cd "$folder"
+enter_temporary_folder
 
 missing=$(apt-get install --simulate --no-install-recommends "libtf2-dev=$tf2_version" 2> log |
   awk '$1 == "Inst" && $2 !~ /^libtf2-/ { print $2 }') ||
   cannot_run "the package lists of this machine have no tf2 $tf2_version: $(tail -n 1 log)"
 # shellcheck disable=SC2086  # a list of words
-apt-get download -qq -o APT::Sandbox::User=root \
-  "libtf2-dev=$tf2_version" "libtf2-2d=$tf2_version" $missing > log 2>&1 ||
-  cannot_run "a package cannot be downloaded: $(tail -n 1 log)"
-for package in *.deb; do
-  dpkg -x "$package" .
-done
+unpack_packages "libtf2-dev=$tf2_version" "libtf2-2d=$tf2_version" $missing
 
 cat > transforms.cpp <<'CPP'
 #include <tf2/buffer_core.h>
