@@ -254,6 +254,7 @@ class Exploration(unittest.TestCase):
         contact.publish(False)
         self.wait(lambda: len(move_base.goals) > 2, 60, "a goal after a touch")
         # move_base that holds a goal and does not drive is wedged.
+        hear.command = None  # that after the touch
         cancelled, goals = len(move_base.cancelled), len(move_base.goals)
         self.wait(lambda: len(move_base.cancelled) > cancelled, 60, "the end of a wedged goal")
         self.wait(lambda: hear.command and hear.command.linear.x < 0.0, 30, "the way back")
